@@ -1,0 +1,21 @@
+# What every target of this project shares, as functions that targets call: no global flags.
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo or MinSizeRel" FORCE)
+endif()
+
+option(ANISO_WARNINGS_AS_ERRORS "Fail on compiler warnings (CI does)" OFF)
+set(ANISO_SANITIZE "" CACHE STRING "Sanitizers for every target, as in -fsanitize=; empty for none")
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+
+function(aniso_target_defaults target)
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  set_target_properties(${target} PROPERTIES
+    CXX_EXTENSIONS OFF CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow
+    $<$<BOOL:${ANISO_WARNINGS_AS_ERRORS}>:-Werror>)
+  if(ANISO_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${ANISO_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(${target} PRIVATE -fsanitize=${ANISO_SANITIZE})
+  endif()
+endfunction()
