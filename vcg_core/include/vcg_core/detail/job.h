@@ -1,0 +1,74 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <exception>
+#include <functional>
+
+#include <vcg_core/progress.h>
+
+namespace vcg_core::detail {
+
+class Job;
+
+/// One thread's view of a parallel loop: hands out chunks [begin, end) of the index range, in no particular order
+/// among the threads. What a chunk computes must depend on its indices only, so that the result does not depend on the
+/// number of threads.
+class Chunks {
+ public:
+  /// Takes the next chunk; false when none is left. Throws when the job was cancelled or has failed elsewhere.
+  bool next();
+  std::size_t begin() const { return begin_; }
+  std::size_t end() const { return end_; }
+  std::size_t index() const { return index_; }
+
+  /// To be called every few milliseconds of work inside a chunk, so that cancelling takes effect in time.
+  void poll();
+
+ private:
+  friend class Job;
+  struct Shared;
+  Chunks(Shared& shared, bool on_calling_thread) : shared_(shared), on_calling_thread_(on_calling_thread) {}
+
+  Shared& shared_;
+  bool on_calling_thread_;
+  std::size_t begin_ = 0;
+  std::size_t end_ = 0;
+  std::size_t index_ = 0;
+};
+
+/// One call of the library: its stages, its progress and its threads.
+class Job {
+ public:
+  /// @param threads  0: one for each processor
+  explicit Job(const Progress& progress, int threads = 0);
+
+  /// Starts a stage that ends when `end_fraction` of the whole job is done. Throws Cancelled.
+  void begin_stage(const char* name, double end_fraction);
+
+  /// Reports progress inside the stage; on the calling thread only, as often as is convenient. Throws Cancelled.
+  void report(double stage_fraction);
+
+  /// Reports the end. The last moment to cancel; throws Cancelled.
+  void finish();
+
+  /// Runs `body` once on each thread, the calling thread among them; together the bodies work through [0, count) in
+  /// chunks of `grain`. Rethrows the first exception after all threads have stopped.
+  void parallel(std::size_t count, std::size_t grain, const std::function<void(Chunks&)>& body);
+
+  int threads() const { return threads_; }
+
+ private:
+  void call(double fraction);
+
+  const Progress& progress_;
+  int threads_;
+  const char* stage_ = "";
+  double stage_begin_ = 0;
+  double stage_end_ = 0;
+  double last_fraction_ = 0;
+  std::chrono::steady_clock::time_point last_call_;
+};
+
+}  // namespace vcg_core::detail

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace vcg_core::detail {
+
+class Job;
+
+using Vec3 = Eigen::Vector3d;
+using Index = std::uint32_t;
+
+/// A mesh as it was read: vertices that are not deleted, faces as indices into them.
+struct RawMesh {
+  std::vector<Vec3> position;
+  std::vector<std::array<Index, 3>> face;
+  std::vector<Index> host_vertex;      ///< index of each vertex in the caller's mesh.vert
+  std::vector<std::uint8_t> selected;  ///< whether the vertex, or a face of it, is selected
+  std::size_t host_vertex_count = 0;   ///< size of the caller's mesh.vert, deleted ones included
+  /// The positions are the caller's times 2^exponent, with the largest coordinate in [1, 2). A power of two, so that
+  /// nothing is lost, wherever the mesh lies; and no square over- or underflows, whatever its scale.
+  int exponent = 0;
+};
+
+/// Faces around each vertex, and what they tell of the vertex. A corner is 3 * face + (0, 1 or 2).
+struct MeshTopology {
+  std::vector<Index> star_begin;  ///< n + 1 offsets into star
+  std::vector<Index> star;        ///< the corners at each vertex, ascending; faces with a repeated vertex left out
+  std::vector<std::uint8_t> border;
+
+  double average_edge_length = 0;  ///< |e| over unique edges, in units of RawMesh::position
+  std::size_t border_vertices = 0;
+  std::size_t non_manifold_vertices = 0;
+  std::size_t degenerate_faces = 0;
+};
+
+/// All that the algorithms know of a mesh. Vertices and faces are in an order of the library's own, close in memory
+/// when they are close in space.
+struct MeshArrays : RawMesh {
+  MeshTopology topology;
+  std::size_t coincident_vertices = 0;
+
+  std::size_t size() const { return position.size(); }
+};
+
+inline Index next_in_face(Index corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
+inline Index previous_in_face(Index corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
+inline Index vertex_of(const MeshArrays& mesh, Index corner) { return mesh.face[corner / 3][corner % 3]; }
+
+/// Brings a mesh into the library's order and finds its topology. Throws InvalidMesh if no edge has a length.
+MeshArrays make_mesh_arrays(RawMesh raw, Job& job);
+
+/// Index in `mesh` of each vertex of the caller's mesh.vert; `mesh.size()` for deleted ones.
+std::vector<Index> vertex_of_host(const MeshArrays& mesh);
+
+}  // namespace vcg_core::detail

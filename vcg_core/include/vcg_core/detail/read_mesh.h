@@ -1,0 +1,105 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <vcg_core/detail/job.h>
+#include <vcg_core/detail/mesh_arrays.h>
+#include <vcg_core/errors.h>
+
+// This file and commit_positions.h are the only ones that touch vcglib's types.
+
+namespace vcg_core::detail {
+
+/// Multiplies by 2^exponent. In two steps, as the power itself may not be a finite number.
+class PowerOfTwo {
+ public:
+  explicit PowerOfTwo(int exponent) : half_(std::ldexp(1.0, exponent / 2)), rest_(std::ldexp(1.0, exponent - exponent / 2)) {}
+  double operator*(double x) const { return x * half_ * rest_; }
+  Vec3 operator*(const Vec3& x) const { return Vec3(*this * x[0], *this * x[1], *this * x[2]); }
+
+ private:
+  double half_;
+  double rest_;
+};
+
+/// Copies the vertices that are not deleted, and checks them.
+/// @return index into raw.position of each element of mesh.vert
+template <class Mesh>
+std::vector<Index> read_vertices(const Mesh& mesh, RawMesh& raw, Job& job) {
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  if (mesh.vert.size() >= std::numeric_limits<Index>::max() / 3) throw InvalidMesh("the mesh has too many vertices");
+  std::vector<Index> index_of(mesh.vert.size());
+  raw.host_vertex_count = mesh.vert.size();
+  raw.position.reserve(mesh.vn);
+  raw.host_vertex.reserve(mesh.vn);
+  raw.selected.reserve(mesh.vn);
+  std::size_t not_finite = 0;
+  std::size_t first_not_finite = none;
+  double largest = 0;
+  for (std::size_t v = 0; v < mesh.vert.size(); ++v) {
+    if (v % 65536 == 0) job.report(0.0);
+    index_of[v] = static_cast<Index>(raw.position.size());
+    if (mesh.vert[v].IsD()) continue;
+    const auto& p = mesh.vert[v].cP();
+    const Vec3 position(p[0], p[1], p[2]);
+    if (!position.allFinite()) {
+      ++not_finite;
+      first_not_finite = std::min(first_not_finite, v);
+    }
+    largest = std::max(largest, position.cwiseAbs().maxCoeff());
+    raw.position.push_back(position);
+    raw.host_vertex.push_back(static_cast<Index>(v));
+    raw.selected.push_back(mesh.vert[v].IsS());
+  }
+  if (not_finite > 0)
+    throw InvalidMesh(std::to_string(not_finite) + (not_finite == 1 ? " vertex has" : " vertices have") +
+                      " a coordinate that is not a finite number, the first is vertex " +
+                      std::to_string(first_not_finite));
+  if (largest > 0) raw.exponent = -std::ilogb(largest);
+  if (raw.exponent != 0) {
+    const PowerOfTwo scale(raw.exponent);
+    for (Vec3& position : raw.position) position = scale * position;
+  }
+  return index_of;
+}
+
+/// Copies the faces that are not deleted, and checks them.
+template <class Mesh>
+void read_faces(const Mesh& mesh, const std::vector<Index>& index_of, RawMesh& raw, Job& job) {
+  raw.face.reserve(mesh.fn);
+  for (std::size_t f = 0; f < mesh.face.size(); ++f) {
+    if (f % 65536 == 0) job.report(0.0);
+    const auto& face = mesh.face[f];
+    if (face.IsD()) continue;
+    std::array<Index, 3> triangle;
+    for (int k = 0; k < 3; ++k) {
+      // Compared as addresses: a pointer into another array has no difference to subtract.
+      const auto address = reinterpret_cast<std::uintptr_t>(face.cV(k));
+      const auto first = reinterpret_cast<std::uintptr_t>(mesh.vert.data());
+      const std::size_t v = (address - first) / sizeof(mesh.vert[0]);
+      if (address < first || v >= mesh.vert.size() || mesh.vert[v].IsD())
+        throw InvalidMesh("face " + std::to_string(f) + " refers to a vertex that the mesh does not have");
+      triangle[k] = index_of[v];
+      if (face.IsS()) raw.selected[index_of[v]] = 1;
+    }
+    raw.face.push_back(triangle);
+  }
+}
+
+/// Copies any vcglib triangle mesh. Throws InvalidMesh: no faces, a coordinate that is not finite (with count and
+/// first index), a face that refers to no vertex of the mesh, no edge of any length.
+template <class Mesh>
+MeshArrays read_mesh(const Mesh& mesh, Job& job) {
+  job.begin_stage("Reading the mesh", 0.05);
+  if (mesh.fn <= 0) throw InvalidMesh("the mesh has no faces; this filter needs a triangle mesh");
+  RawMesh raw;
+  const std::vector<Index> index_of = read_vertices(mesh, raw, job);
+  read_faces(mesh, index_of, raw, job);
+  return make_mesh_arrays(std::move(raw), job);
+}
+
+}  // namespace vcg_core::detail

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <vcg_core/detail/mesh_arrays.h>
+
+namespace vcg_core::detail {
+
+/// Vertex stars, edges and borders. Throws InvalidMesh if no edge has a length.
+MeshTopology find_topology(const RawMesh& mesh, Job& job);
+
+}  // namespace vcg_core::detail

@@ -1,0 +1,56 @@
+#include "paper_filter.h"
+
+#include <vcg_core/detail/job.h>
+
+#include "geodesic_march.h"
+#include "triangle_frames.h"
+#include "weights.h"
+
+namespace vcg_core::detail {
+
+namespace {
+
+/// Gain, in |e|, that opens a settled vertex again.
+constexpr double reopen_gain = 1e-9;
+
+/// Section 6's d_i, in |e|, over the vertices that the march from v_i reached. `unit` is |e|.
+double paper_offset(Index i, const GeodesicMarch& march, const std::vector<Vec3>& position,
+                    const std::vector<Vec3>& normal, double cutoff, const GaussianWeights& weights, double unit) {
+  double sum = 0;
+  double sum_of_weights = 0;
+  for (const Index j : march.reached()) {
+    if (!(march.distance(j) < cutoff) || normal[j].isZero(0)) continue;
+    const Vec3 from_j = (position[i] - position[j]) / unit;
+    const double height = normal[j].dot(from_j);
+    const double w = weights.product(from_j.squaredNorm(), height, 1 - normal[i].dot(normal[j]));
+    sum += w * height;
+    sum_of_weights += w;
+  }
+  return sum / sum_of_weights;  // v_i itself has weight 1
+}
+
+}  // namespace
+
+std::vector<Vec3> paper_pass(const MeshArrays& mesh, const std::vector<Vec3>& position,
+                             const std::vector<Vec3>& normal, const std::vector<std::uint8_t>& movable,
+                             const SmoothingParameters& parameters, Job& job) {
+  const double unit = mesh.topology.average_edge_length;
+  const double cutoff = parameters.rho * parameters.sigma_c;
+  const GaussianWeights weights(parameters.sigma_c, parameters.sigma_s, parameters.sigma_n, parameters.gaussian);
+  const std::vector<TriangleFrame<double>> frames = triangle_frames(mesh, position, unit, job);
+  std::vector<Vec3> moved = position;
+  job.parallel(mesh.size(), 64, [&](Chunks& chunks) {
+    GeodesicMarch march(mesh, frames, reopen_gain);
+    while (chunks.next())
+      for (std::size_t i = chunks.begin(); i < chunks.end(); ++i) {
+        if (!movable[i] || normal[i].isZero(0)) continue;
+        const auto source = static_cast<Index>(i);
+        march.run(source, cutoff + march_margin, [&](std::size_t) { chunks.poll(); });
+        const double offset = paper_offset(source, march, position, normal, cutoff, weights, unit);
+        moved[i] -= normal[i] * (offset * unit);
+      }
+  });
+  return moved;
+}
+
+}  // namespace vcg_core::detail

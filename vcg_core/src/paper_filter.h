@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <vcg_core/detail/mesh_arrays.h>
+#include <vcg_core/smoothing_parameters.h>
+
+namespace vcg_core::detail {
+
+class Job;
+
+/// Neighbourhoods are marched this far, in |e|, beyond the cut-off: an edge with one end beyond it still feeds vertices
+/// inside.
+constexpr double march_margin = 0.5;
+
+/// One pass of the paper's filter: section 6's offset d_i along n_i over the geodesic neighbourhood of section 4.
+///
+/// @param position  where the vertices are, in units of MeshArrays::position
+/// @param normal    their normals; zero where undefined: such a vertex neither moves nor counts as a neighbour
+/// @param movable   whether each vertex may move
+/// @return          the new positions
+std::vector<Vec3> paper_pass(const MeshArrays& mesh, const std::vector<Vec3>& position,
+                             const std::vector<Vec3>& normal, const std::vector<std::uint8_t>& movable,
+                             const SmoothingParameters& parameters, Job& job);
+
+}  // namespace vcg_core::detail

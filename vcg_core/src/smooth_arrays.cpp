@@ -1,0 +1,74 @@
+#include <vcg_core/detail/smooth_arrays.h>
+
+#include <cmath>
+
+#include <vcg_core/detail/job.h>
+
+#include "paper_filter.h"
+#include "vertex_normals.h"
+#include "volume.h"
+
+namespace vcg_core::detail {
+
+namespace {
+
+std::vector<std::uint8_t> find_movable(const MeshArrays& mesh, const SmoothingParameters& parameters) {
+  std::vector<std::uint8_t> movable(mesh.size());
+  for (std::size_t i = 0; i < mesh.size(); ++i)
+    movable[i] = !(parameters.boundary == Boundary::fixed && mesh.topology.border[i]) &&
+                 !(parameters.selected_only && !mesh.selected[i]);
+  return movable;
+}
+
+bool is_isolated(const MeshArrays& mesh, std::size_t i) {
+  return mesh.topology.star_begin[i] == mesh.topology.star_begin[i + 1];
+}
+
+void describe_mesh(const MeshArrays& mesh, const SmoothingParameters& parameters,
+                   const std::vector<std::uint8_t>& movable, SmoothingReport& report) {
+  const double e = std::ldexp(mesh.topology.average_edge_length, -mesh.exponent);
+  report.average_edge_length = e;
+  report.sigma_c_length = parameters.sigma_c * e;
+  report.sigma_s_length = parameters.sigma_s * e;
+  report.rho_length = parameters.rho * parameters.sigma_c * e;
+  report.vertices = mesh.size();
+  report.border_vertices = mesh.topology.border_vertices;
+  report.non_manifold_vertices = mesh.topology.non_manifold_vertices;
+  report.coincident_vertices = mesh.coincident_vertices;
+  report.degenerate_faces = mesh.topology.degenerate_faces;
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    if (!movable[i])
+      ++report.fixed_vertices;
+    else if (is_isolated(mesh, i))
+      ++report.skipped_vertices.isolated;
+  }
+}
+
+void count_undefined_normals(const MeshArrays& mesh, const std::vector<Vec3>& normal,
+                             const std::vector<std::uint8_t>& movable, SmoothingReport& report) {
+  for (std::size_t i = 0; i < mesh.size(); ++i)
+    report.skipped_vertices.undefined_normal += movable[i] && !is_isolated(mesh, i) && normal[i].isZero(0);
+}
+
+}  // namespace
+
+SmoothingResult smooth_arrays(const MeshArrays& mesh, Method, const SmoothingParameters& parameters, Job& job) {
+  SmoothingResult result;
+  const std::vector<std::uint8_t> movable = find_movable(mesh, parameters);
+  describe_mesh(mesh, parameters, movable, result.report);
+
+  result.position = mesh.position;
+  for (int pass = 0; pass < parameters.iterations; ++pass) {
+    job.begin_stage("Smoothing", 0.05 + 0.94 * (pass + 1) / parameters.iterations);
+    const std::vector<Vec3> normal = vertex_normals(mesh, result.position, job);
+    if (pass == 0) count_undefined_normals(mesh, normal, movable, result.report);
+    result.position = paper_pass(mesh, result.position, normal, movable, parameters, job);
+  }
+
+  const Vec3 apex = box_center(mesh.position);
+  result.report.volume_before = std::ldexp(signed_volume(mesh, mesh.position, apex), -3 * mesh.exponent);
+  result.report.volume_after = std::ldexp(signed_volume(mesh, result.position, apex), -3 * mesh.exponent);
+  return result;
+}
+
+}  // namespace vcg_core::detail

@@ -1,0 +1,96 @@
+#include "spatial_order.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include <Eigen/Geometry>
+
+namespace vcg_core::detail {
+
+namespace {
+
+constexpr int bits_per_axis = 21;
+
+/// Spreads the low 21 bits of x to every third bit.
+std::uint64_t spread(std::uint64_t x) {
+  x = (x | x << 32) & 0x001f00000000ffffULL;
+  x = (x | x << 16) & 0x001f0000ff0000ffULL;
+  x = (x | x << 8) & 0x100f00f00f00f00fULL;
+  x = (x | x << 4) & 0x10c30c30c30c30c3ULL;
+  x = (x | x << 2) & 0x1249249249249249ULL;
+  return x;
+}
+
+std::vector<std::uint64_t> morton_codes(const std::vector<Vec3>& position) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : position) box.extend(p);
+  const double extent = position.empty() ? 0.0 : box.sizes().maxCoeff();
+  const double cells = (1 << bits_per_axis) - 1;
+  const double scale = extent > 0 ? cells / extent : 0.0;
+  std::vector<std::uint64_t> codes(position.size());
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    std::uint64_t code = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double cell = std::min((position[i][axis] - box.min()[axis]) * scale, cells);
+      code |= spread(static_cast<std::uint64_t>(cell)) << axis;
+    }
+    codes[i] = code;
+  }
+  return codes;
+}
+
+/// Stable radix sort of indices by code: a comparison sort takes several times as long on a million vertices.
+void radix_sort(std::vector<std::uint64_t>& code, std::vector<Index>& order) {
+  constexpr int digit_bits = 11;
+  constexpr std::size_t buckets = std::size_t(1) << digit_bits;
+  std::vector<std::uint64_t> other_code(code.size());
+  std::vector<Index> other_order(order.size());
+  for (int shift = 0; shift < 3 * bits_per_axis; shift += digit_bits) {
+    std::size_t begin[buckets] = {};
+    const auto digit = [shift](std::uint64_t c) { return (c >> shift) & (buckets - 1); };
+    for (const std::uint64_t c : code) ++begin[digit(c)];
+    std::exclusive_scan(begin, begin + buckets, begin, std::size_t(0));
+    for (std::size_t i = 0; i < code.size(); ++i) {
+      const std::size_t to = begin[digit(code[i])]++;
+      other_code[to] = code[i];
+      other_order[to] = order[i];
+    }
+    code.swap(other_code);
+    order.swap(other_order);
+  }
+}
+
+}  // namespace
+
+SpatialOrder morton_order(const std::vector<Vec3>& position) {
+  SpatialOrder result{std::vector<Index>(position.size()), morton_codes(position)};
+  std::iota(result.order.begin(), result.order.end(), Index(0));
+  radix_sort(result.code, result.order);
+  return result;
+}
+
+std::size_t count_coincident(const std::vector<Vec3>& position, const SpatialOrder& order) {
+  const auto less = [&](Index a, Index b) {
+    const Vec3& p = position[a];
+    const Vec3& q = position[b];
+    return std::tie(p[0], p[1], p[2]) < std::tie(q[0], q[1], q[2]);
+  };
+  std::size_t count = 0;
+  std::vector<Index> same_code;
+  for (std::size_t begin = 0, end = 0; begin < order.code.size(); begin = end) {
+    while (end < order.code.size() && order.code[end] == order.code[begin]) ++end;
+    if (end - begin < 2) continue;
+    same_code.assign(order.order.begin() + begin, order.order.begin() + end);
+    std::sort(same_code.begin(), same_code.end(), less);
+    for (std::size_t i = 0; i < same_code.size(); ++i) {
+      const Vec3& p = position[same_code[i]];
+      const bool as_previous = i > 0 && p == position[same_code[i - 1]];
+      const bool as_next = i + 1 < same_code.size() && p == position[same_code[i + 1]];
+      if (as_previous || as_next) ++count;
+    }
+  }
+  return count;
+}
+
+}  // namespace vcg_core::detail

@@ -1,0 +1,43 @@
+#include "vertex_normals.h"
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include <vcg_core/detail/job.h>
+
+namespace vcg_core::detail {
+
+namespace {
+
+/// Below this length a sum of unit normals is what rounding left of normals that cancel each other.
+constexpr double cancelled = 1e-9;
+
+Vec3 vertex_normal(const MeshArrays& mesh, const std::vector<Vec3>& position, Index v) {
+  Vec3 sum = Vec3::Zero();
+  const MeshTopology& topology = mesh.topology;
+  for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
+    const Index corner = topology.star[s];
+    const Vec3 a = position[vertex_of(mesh, next_in_face(corner))] - position[v];
+    const Vec3 b = position[vertex_of(mesh, previous_in_face(corner))] - position[v];
+    const Vec3 cross = a.cross(b);
+    const double twice_area = cross.norm();
+    if (twice_area > 0) sum += cross * (std::atan2(twice_area, a.dot(b)) / twice_area);
+  }
+  const double length = sum.norm();
+  return length > cancelled ? Vec3(sum / length) : Vec3(Vec3::Zero());
+}
+
+}  // namespace
+
+std::vector<Vec3> vertex_normals(const MeshArrays& mesh, const std::vector<Vec3>& position, Job& job) {
+  std::vector<Vec3> normal(mesh.size());
+  job.parallel(mesh.size(), 4096, [&](Chunks& chunks) {
+    while (chunks.next())
+      for (std::size_t v = chunks.begin(); v < chunks.end(); ++v)
+        normal[v] = vertex_normal(mesh, position, static_cast<Index>(v));
+  });
+  return normal;
+}
+
+}  // namespace vcg_core::detail
