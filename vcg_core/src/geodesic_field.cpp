@@ -28,16 +28,18 @@ std::vector<double> geodesic_field(const MeshArrays& mesh, std::size_t host_sour
                            std::to_string(index_of.size() - 1));
   job.begin_stage("Measuring distances", 1.0);
   // In the mesh's own unit: a division by |e| would round each length.
-  const std::vector<TriangleFrame<double>> frames = triangle_frames(mesh, mesh.position, 1.0, job);
-  GeodesicMarch march(mesh, frames, tolerance * mesh.topology.average_edge_length);
+  using Scalar = long double;
+  const std::vector<TriangleFrame<Scalar>> frames = triangle_frames(mesh, mesh.position, Scalar(1), job);
+  GeodesicMarch<Scalar> march(mesh, frames, tolerance * mesh.topology.average_edge_length);
   const double vertices = static_cast<double>(mesh.size());
-  march.run(index_of[host_source], std::numeric_limits<double>::infinity(), [&](std::size_t settled) {
+  march.run(index_of[host_source], std::numeric_limits<Scalar>::infinity(), [&](std::size_t settled) {
     job.report(0.5 + 0.5 * std::min(1.0, static_cast<double>(settled) / vertices));
   });
   job.finish();
 
   std::vector<double> distance(mesh.host_vertex_count, std::numeric_limits<double>::infinity());
-  for (const Index v : march.reached()) distance[mesh.host_vertex[v]] = std::ldexp(march.distance(v), -mesh.exponent);
+  for (const Index v : march.reached())
+    distance[mesh.host_vertex[v]] = static_cast<double>(std::ldexp(march.distance(v), -mesh.exponent));
   return distance;
 }
 

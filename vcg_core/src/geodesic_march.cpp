@@ -4,23 +4,27 @@
 
 namespace vcg_core::detail {
 
-GeodesicMarch::GeodesicMarch(const MeshArrays& mesh, const std::vector<TriangleFrame<double>>& frames, double tolerance)
+template <class Scalar>
+GeodesicMarch<Scalar>::GeodesicMarch(const MeshArrays& mesh, const std::vector<TriangleFrame<Scalar>>& frames,
+                                     Scalar tolerance)
     : mesh_(mesh),
       frames_(frames),
       tolerance_(tolerance),
-      distance_(mesh.size(), std::numeric_limits<double>::infinity()),
+      distance_(mesh.size(), std::numeric_limits<Scalar>::infinity()),
       state_(mesh.size(), State::unseen) {}
 
-void GeodesicMarch::clear() {
+template <class Scalar>
+void GeodesicMarch<Scalar>::clear() {
   for (const Index v : reached_) {
-    distance_[v] = std::numeric_limits<double>::infinity();
+    distance_[v] = std::numeric_limits<Scalar>::infinity();
     state_[v] = State::unseen;
   }
   reached_.clear();
   front_ = {};
 }
 
-void GeodesicMarch::run(Index source, double limit, const std::function<void(std::size_t)>& poll) {
+template <class Scalar>
+void GeodesicMarch<Scalar>::run(Index source, Scalar limit, const std::function<void(std::size_t)>& poll) {
   constexpr std::size_t pops_between_polls = 4096;
   clear();
   offer(source, 0);
@@ -36,9 +40,10 @@ void GeodesicMarch::run(Index source, double limit, const std::function<void(std
   }
 }
 
-void GeodesicMarch::offer(Index v, double distance) {
+template <class Scalar>
+void GeodesicMarch<Scalar>::offer(Index v, Scalar distance) {
   if (!(distance < distance_[v])) return;
-  const double gain = distance_[v] - distance;
+  const Scalar gain = distance_[v] - distance;
   distance_[v] = distance;
   if (state_[v] == State::settled && !(gain > tolerance_)) return;
   if (state_[v] == State::unseen) reached_.push_back(v);
@@ -46,7 +51,8 @@ void GeodesicMarch::offer(Index v, double distance) {
   front_.emplace(distance, v);
 }
 
-void GeodesicMarch::settle(Index v) {
+template <class Scalar>
+void GeodesicMarch<Scalar>::settle(Index v) {
   state_[v] = State::settled;
   const MeshTopology& topology = mesh_.topology;
   for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
@@ -58,10 +64,12 @@ void GeodesicMarch::settle(Index v) {
     offer(a, distance_[v] + frames_[corner].side_1);
     offer(b, distance_[v] + frames_[corner].side_2);
     // Of each frame the first of the two known vertices is the one that follows the apex in the face.
-    if (state_[a] == State::settled)
-      offer(b, distance_by_virtual_start(frames_[previous], distance_[v], distance_[a]));
+    if (state_[a] == State::settled) offer(b, distance_by_virtual_start(frames_[previous], distance_[v], distance_[a]));
     if (state_[b] == State::settled) offer(a, distance_by_virtual_start(frames_[next], distance_[b], distance_[v]));
   }
 }
+
+template class GeodesicMarch<double>;
+template class GeodesicMarch<long double>;
 
 }  // namespace vcg_core::detail

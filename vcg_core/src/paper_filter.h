@@ -20,8 +20,7 @@ constexpr double march_margin = 0.5;
 /// @param normal    their normals; zero where undefined: such a vertex neither moves nor counts as a neighbour
 /// @param movable   whether each vertex may move
 /// @return          the new positions
-std::vector<Vec3> paper_pass(const MeshArrays& mesh, const std::vector<Vec3>& position,
-                             const std::vector<Vec3>& normal, const std::vector<std::uint8_t>& movable,
-                             const SmoothingParameters& parameters, Job& job);
+std::vector<Vec3> paper_pass(const MeshArrays& mesh, const std::vector<Vec3>& position, const std::vector<Vec3>& normal,
+                             const std::vector<std::uint8_t>& movable, const SmoothingParameters& parameters, Job& job);
 
 }  // namespace vcg_core::detail

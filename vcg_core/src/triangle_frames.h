@@ -9,7 +9,8 @@
 namespace vcg_core::detail {
 
 /// The frame of every face at each of its corners, by corner. Lengths are those of `position` divided by `unit`.
-std::vector<TriangleFrame<double>> triangle_frames(const MeshArrays& mesh, const std::vector<Vec3>& position,
-                                                   double unit, Job& job);
+template <class Scalar>
+std::vector<TriangleFrame<Scalar>> triangle_frames(const MeshArrays& mesh, const std::vector<Vec3>& position,
+                                                   Scalar unit, Job& job);
 
 }  // namespace vcg_core::detail

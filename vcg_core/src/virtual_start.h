@@ -9,7 +9,7 @@ namespace vcg_core::detail {
 /// from v_{i+1} at the origin to v_{i+2} at (edge, 0); the apex lies at (x, y) with y >= 0.
 template <class Scalar>
 struct TriangleFrame {
-  Scalar edge;    ///< |v_{i+1} v_{i+2}|
+  Scalar edge;  ///< |v_{i+1} v_{i+2}|
   Scalar x;
   Scalar y;
   Scalar side_1;  ///< |v_i v_{i+1}|
@@ -18,10 +18,10 @@ struct TriangleFrame {
 
 /// Section 4.1, figures 3 and 4: the distance of the apex, given the distances d_1 and d_2 of the two others.
 ///
-/// The circles about v_{i+1} and v_{i+2} with radii d_1 and d_2 meet, on the far side from the apex, in the virtual start
-/// point v_s = (x_s, -h_s). If the straight line from v_s to v_i passes between v_{i+1} and v_{i+2}, the distance is
-/// |v_i v_s|; otherwise it goes around one of the two (figures 4a and 4b). The two ways around join the minimum in every
-/// case, which also covers circles that do not meet, and triangles without area.
+/// The circles about v_{i+1} and v_{i+2} with radii d_1 and d_2 meet, on the far side from the apex, in the virtual
+/// start point v_s = (x_s, -h_s). If the straight line from v_s to v_i passes between v_{i+1} and v_{i+2}, the distance
+/// is |v_i v_s|; otherwise it goes around one of the two (figures 4a and 4b). The two ways around join the minimum in
+/// every case, which also covers circles that do not meet, and triangles without area.
 template <class Scalar>
 Scalar distance_by_virtual_start(const TriangleFrame<Scalar>& t, Scalar d_1, Scalar d_2) {
   const Scalar around = std::min(d_1 + t.side_1, d_2 + t.side_2);
