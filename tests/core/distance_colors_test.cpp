@@ -19,7 +19,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// n x n vertices of the unit square, each cell split along one diagonal; distances from the corner at the origin.
 struct Grid {
-  explicit Grid(std::size_t n) : n(n) {
+  explicit Grid(std::size_t side) : n(side) {
     for (std::size_t y = 0; y < n; ++y) {
       for (std::size_t x = 0; x < n; ++x) {
         distance.push_back(std::hypot(static_cast<double>(x), static_cast<double>(y)) / static_cast<double>(n - 1));
