@@ -1,10 +1,11 @@
 #include <vcg_core/detail/smooth_arrays.h>
 
 #include <cmath>
+#include <utility>
 
 #include <vcg_core/detail/job.h>
 
-#include "paper_filter.h"
+#include "filter_table.h"
 #include "vertex_normals.h"
 #include "volume.h"
 
@@ -24,13 +25,13 @@ bool is_isolated(const MeshArrays& mesh, std::size_t i) {
   return mesh.topology.star_begin[i] == mesh.topology.star_begin[i + 1];
 }
 
-void describe_mesh(const MeshArrays& mesh, const SmoothingParameters& parameters,
+void describe_mesh(const MeshArrays& mesh, const MethodInfo& method, const SmoothingParameters& parameters,
                    const std::vector<std::uint8_t>& movable, SmoothingReport& report) {
   const double e = std::ldexp(mesh.topology.average_edge_length, -mesh.exponent);
   report.average_edge_length = e;
-  report.sigma_c_length = parameters.sigma_c * e;
-  report.sigma_s_length = parameters.sigma_s * e;
-  report.rho_length = parameters.rho * parameters.sigma_c * e;
+  if (method.uses("sigma_c")) report.sigma_c_length = parameters.sigma_c * e;
+  if (method.uses("sigma_s")) report.sigma_s_length = parameters.sigma_s * e;
+  if (method.uses("rho")) report.rho_length = parameters.rho * parameters.sigma_c * e;
   report.vertices = mesh.size();
   report.border_vertices = mesh.topology.border_vertices;
   report.non_manifold_vertices = mesh.topology.non_manifold_vertices;
@@ -52,17 +53,22 @@ void count_undefined_normals(const MeshArrays& mesh, const std::vector<Vec3>& no
 
 }  // namespace
 
-SmoothingResult smooth_arrays(const MeshArrays& mesh, Method, const SmoothingParameters& parameters, Job& job) {
+SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const SmoothingParameters& parameters, Job& job) {
+  const FilterEntry& filter = filter_entry(method);
   SmoothingResult result;
   const std::vector<std::uint8_t> movable = find_movable(mesh, parameters);
-  describe_mesh(mesh, parameters, movable, result.report);
+  describe_mesh(mesh, filter.info, parameters, movable, result.report);
 
+  const FilterPass run_pass = filter.make_pass();
   result.position = mesh.position;
   for (int pass = 0; pass < parameters.iterations; ++pass) {
     job.begin_stage("Smoothing", 0.05 + 0.94 * (pass + 1) / parameters.iterations);
-    const std::vector<Vec3> normal = vertex_normals(mesh, result.position, job);
-    if (pass == 0) count_undefined_normals(mesh, normal, movable, result.report);
-    result.position = paper_pass(mesh, result.position, normal, movable, parameters, job);
+    std::vector<Vec3> normal;
+    if (filter.needs_normals) normal = vertex_normals(mesh, result.position, job);
+    if (filter.needs_normals && pass == 0) count_undefined_normals(mesh, normal, movable, result.report);
+    PassOutput output = run_pass({mesh, result.position, normal, movable, parameters, pass, job});
+    if (pass == 0) result.report.skipped_vertices.empty_neighbourhood = output.empty_neighbourhoods;
+    result.position = std::move(output.position);
   }
 
   const Vec3 apex = box_center(mesh.position);

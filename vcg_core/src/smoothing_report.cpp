@@ -14,6 +14,10 @@ std::vector<std::string> SmoothingReport::warnings() const {
     sentences.push_back(std::to_string(skipped_vertices.undefined_normal) +
                         " vertices have no defined normal (faces without area, or facing opposite ways) and stay in"
                         " place");
+  if (skipped_vertices.empty_neighbourhood > 0)
+    sentences.push_back(std::to_string(skipped_vertices.empty_neighbourhood) +
+                        " vertices have nothing within the cut-off distance to be smoothed by and stay in place; a"
+                        " larger sigma_c reaches farther");
   return sentences;
 }
 

@@ -10,14 +10,17 @@ namespace vcg_core {
 struct SkippedVertices {
   std::size_t isolated = 0;          ///< belongs to no face
   std::size_t undefined_normal = 0;  ///< all its faces have no area, or their normals cancel each other
+  /// nothing within the cut-off distance to be smoothed by; only where predictions come from other elements than
+  /// vertices
+  std::size_t empty_neighbourhood = 0;
 
-  std::size_t total() const { return isolated + undefined_normal; }
+  std::size_t total() const { return isolated + undefined_normal + empty_neighbourhood; }
 };
 
 /// What a smoothing filter did. Lengths and volumes are in the mesh's own unit.
 struct SmoothingReport {
   double average_edge_length = 0;  ///< |e|: mean length of the unique edges
-  double sigma_c_length = 0;       ///< sigma_c |e|
+  double sigma_c_length = 0;       ///< sigma_c |e|; this and the next two are 0 where a method has no such parameter
   double sigma_s_length = 0;       ///< sigma_s |e|
   double rho_length = 0;           ///< rho sigma_c |e|: the cut-off distance
 
