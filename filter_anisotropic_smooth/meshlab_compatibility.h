@@ -1,0 +1,114 @@
+#pragma once
+
+// The one place that knows how MeshLab's plugin interface differs between its versions: 2020.09; 2021.05 to 2022.02;
+// 2023.12 to 2025.07. Which one applies is told by the header that exists. Above this file, a filter is a
+// meshlab_plugin::Filter, whatever the version.
+
+#if __has_include(<common/plugins/interfaces/filter_plugin.h>)
+#include <common/plugins/interfaces/filter_plugin.h>
+#define ANISO_MESHLAB_SINCE_2021 1
+#else
+#include <common/interfaces.h>
+#define ANISO_MESHLAB_SINCE_2021 0
+#endif
+#include <common/mlexception.h>
+
+#include <QtPlugin>
+
+#include <map>
+#include <string>
+
+namespace meshlab_plugin {
+
+using Report = std::map<std::string, QVariant>;
+
+#if ANISO_MESHLAB_SINCE_2021
+using HostInterface = FilterPlugin;
+using FilterId = ActionIDType;
+using ActionPointer = const QAction*;
+#define ANISO_INTERFACE FilterPlugin
+#define ANISO_INTERFACE_ID FILTER_PLUGIN_IID
+#define ANISO_CONST const
+#define ANISO_PYTHON_NAME_OVERRIDE override
+#else
+using HostInterface = MeshFilterInterface;
+using FilterId = MeshCommonInterface::FilterIDType;
+using ActionPointer = QAction*;
+#define ANISO_INTERFACE MeshFilterInterface
+#define ANISO_INTERFACE_ID MESH_FILTER_INTERFACE_IID
+#define ANISO_CONST
+#define ANISO_PYTHON_NAME_OVERRIDE
+#endif
+
+/// MeshLab's own update after coordinates have changed; its name was capitalised in old versions.
+template <class Model>
+auto update_box_and_normals(Model& model, int) -> decltype(model.updateBoxAndNormals()) {
+  model.updateBoxAndNormals();
+}
+template <class Model>
+auto update_box_and_normals(Model& model, long) -> decltype(model.UpdateBoxAndNormals()) {
+  model.UpdateBoxAndNormals();
+}
+
+/// Turns the version-dependent virtual functions into four that are the same everywhere.
+class HostAdapter : public QObject, public HostInterface {
+ public:
+  QString pluginName() const override { return QStringLiteral("FilterAnisotropicSmooth"); }
+
+  /// Parameters with their defaults; `mesh` is the current one, or null if there is none.
+  virtual RichParameterList parameters_for(const QAction* action, const MeshModel* mesh) const = 0;
+  /// Runs the filter; throws std::exception, whose text is for the user.
+  virtual Report run(const QAction* action, const RichParameterList& values, MeshModel* mesh,
+                     vcg::CallBackPos* callback) = 0;
+  virtual void write_log(const std::string& line) = 0;
+  virtual QString error_text(const std::exception& error) const = 0;
+
+#if ANISO_MESHLAB_SINCE_2021
+  FilterArity filterArity(const QAction*) const override { return SINGLE_MESH; }
+
+  using HostInterface::initParameterList;
+  RichParameterList initParameterList(const QAction* action, const MeshDocument& document) override {
+    return parameters_for(action, document.mm());
+  }
+
+  Report applyFilter(const QAction* action, const RichParameterList& values, MeshDocument& document,
+                     unsigned int& /*post_condition_mask*/, vcg::CallBackPos* callback) override {
+    try {
+      return run(action, values, document.mm(), callback);
+    } catch (const std::exception& error) {
+      throw MLException(error_text(error));
+    }
+  }
+
+ protected:
+  void host_log(const std::string& line) { log(line); }
+#else
+  FILTER_ARITY filterArity(QAction*) const override { return SINGLE_MESH; }
+
+  using HostInterface::initParameterSet;
+  void initParameterSet(QAction* action, MeshDocument& document, RichParameterList& list) override {
+    list.join(parameters_for(action, document.mm()));
+  }
+
+  /// An exception that leaves this function would end MeshLab 2020.09, and meshlabserver prints the log but not
+  /// `errorMessage`.
+  bool applyFilter(QAction* action, MeshDocument& document, const RichParameterList& values,
+                   vcg::CallBackPos* callback) override {
+    try {
+      run(action, values, document.mm(), callback);
+      return true;
+    } catch (const std::exception& error) {
+      errorMessage = error_text(error);
+    } catch (...) {
+      errorMessage = QStringLiteral("unknown error");
+    }
+    write_log("Error: " + errorMessage.toStdString());
+    return false;
+  }
+
+ protected:
+  void host_log(const std::string& line) { Log(line); }
+#endif
+};
+
+}  // namespace meshlab_plugin

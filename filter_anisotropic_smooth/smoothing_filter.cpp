@@ -1,0 +1,57 @@
+#include "smoothing_filter.h"
+
+#include <sstream>
+
+namespace meshlab_plugin {
+
+namespace {
+
+using vcg_core::SmoothingReport;
+
+void log_report(const SmoothingReport& report, const Session& session) {
+  std::ostringstream lengths;
+  lengths << "average edge length " << report.average_edge_length << ", sigma_c " << report.sigma_c_length
+          << ", sigma_s " << report.sigma_s_length << ", cut-off " << report.rho_length << " (in the mesh's unit)";
+  session.log(lengths.str());
+
+  std::ostringstream vertices;
+  vertices << "moved " << report.moved_vertices << " of " << report.vertices << " vertices; held fixed "
+           << report.fixed_vertices << ", skipped " << report.skipped_vertices.total() << "; displacement at most "
+           << report.max_displacement << ", RMS " << report.rms_displacement;
+  session.log(vertices.str());
+
+  std::ostringstream volume;
+  volume << "volume " << report.volume_before << " before, " << report.volume_after << " after";
+  session.log(volume.str());
+
+  for (const std::string& sentence : report.warnings()) session.log("Warning: " + sentence);
+}
+
+Report to_map(const SmoothingReport& report) {
+  const auto count = [](std::size_t n) { return QVariant(static_cast<qulonglong>(n)); };
+  return {{"average_edge_length", report.average_edge_length},
+          {"sigma_c_length", report.sigma_c_length},
+          {"sigma_s_length", report.sigma_s_length},
+          {"rho_length", report.rho_length},
+          {"vertices", count(report.vertices)},
+          {"moved_vertices", count(report.moved_vertices)},
+          {"fixed_vertices", count(report.fixed_vertices)},
+          {"skipped_vertices", count(report.skipped_vertices.total())},
+          {"skipped_vertices_isolated", count(report.skipped_vertices.isolated)},
+          {"skipped_vertices_undefined_normal", count(report.skipped_vertices.undefined_normal)},
+          {"max_displacement", report.max_displacement},
+          {"rms_displacement", report.rms_displacement},
+          {"volume_before", report.volume_before},
+          {"volume_after", report.volume_after}};
+}
+
+}  // namespace
+
+Report SmoothingFilter::apply(MeshModel& mesh, const RichParameterList& values, const Session& session) const {
+  const SmoothingReport report = vcg_core::smooth(mesh.cm, method_, read_values(knobs_, values), session.progress);
+  update_box_and_normals(mesh, 0);
+  log_report(report, session);
+  return to_map(report);
+}
+
+}  // namespace meshlab_plugin

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "meshlab_compatibility.h"
+
+#include <vcg_core/smoothing_parameters.h>
+
+#include <vector>
+
+namespace meshlab_plugin {
+
+/// A parameter in the dialog of a smoothing filter: how it is offered, and how its value reaches the core. Filters pick
+/// the knobs that they have; each is described once, in smoothing_knobs.cpp.
+struct Knob {
+  const char* name;
+  const char* label;
+  const char* tooltip;
+  void (*add)(const Knob& knob, const MeshModel* mesh, RichParameterList& list);
+  void (*read)(const Knob& knob, const RichParameterList& values, vcg_core::SmoothingParameters& parameters);
+};
+
+namespace knobs {
+extern const Knob sigma_c;
+extern const Knob sigma_s;
+extern const Knob sigma_n;
+extern const Knob rho;
+extern const Knob iterations;
+extern const Knob boundary;
+extern const Knob selected;
+}  // namespace knobs
+
+/// Knobs in the order of the dialog.
+using Knobs = std::vector<const Knob*>;
+
+RichParameterList to_list(const Knobs& knobs, const MeshModel* mesh);
+/// @throws vcg_core::InvalidParameter for a choice that does not exist; ranges of numbers are the core's to check
+vcg_core::SmoothingParameters read_values(const Knobs& knobs, const RichParameterList& values);
+
+/// The number that a person meant who typed what was then stored as `value`: the shortest decimal that gives it. So 0.3
+/// is 0.3 and not 0.300000012, and dialog, script and command line compute the same.
+double as_typed(float value);
+
+}  // namespace meshlab_plugin
