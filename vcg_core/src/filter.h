@@ -17,7 +17,7 @@ struct PassInput {
   const MeshArrays& mesh;                    ///< the mesh as it was read
   const std::vector<Vec3>& position;         ///< where its vertices are now, in units of MeshArrays::position
   const std::vector<Vec3>& normal;           ///< their unit normals, zero where undefined; empty if not asked for
-  const std::vector<std::uint8_t>& movable;  ///< whether each vertex may move
+  const std::vector<std::uint8_t>& movable;  ///< whether each vertex may move; never one without faces
   const SmoothingParameters& parameters;
   int pass;  ///< counts from 0 to parameters.iterations - 1
   Job& job;  ///< its stage is begun; for threads and progress

@@ -2,7 +2,12 @@
 
 #include <algorithm>
 
+#include "bmd_filter.h"
+#include "hc_filter.h"
+#include "jones_filter.h"
+#include "laplacian_filter.h"
 #include "paper_filter.h"
+#include "taubin_filter.h"
 
 namespace vcg_core::detail {
 
@@ -14,8 +19,18 @@ FilterPass make_paper_pass() {
   };
 }
 
+FilterPass make_bmd_pass() { return bmd_pass; }
+FilterPass make_jones_pass() { return jones_pass; }
+
+SmoothingParameters with_iterations(int iterations) {
+  SmoothingParameters parameters;
+  parameters.iterations = iterations;
+  return parameters;
+}
+
 }  // namespace
 
+// The parameters are Table 1's: for the three bilateral filters they are the defaults of SmoothingParameters.
 const std::vector<FilterEntry>& filter_table() {
   static const std::vector<FilterEntry> table = {
       {{Method::paper,
@@ -25,6 +40,25 @@ const std::vector<FilterEntry>& filter_table() {
         {}},
        true,
        make_paper_pass},
+      {{Method::bmd, "bmd", "Bilateral mesh denoising", {"sigma_c", "sigma_s", "rho", "iterations", "gaussian"}, {}},
+       true,
+       make_bmd_pass},
+      {{Method::jones,
+        "jones",
+        "Non-iterative feature-preserving smoothing",
+        {"sigma_c", "sigma_s", "rho", "iterations"},
+        {}},
+       false,
+       make_jones_pass},
+      {{Method::laplacian, "laplacian", "Laplacian smoothing", {"iterations"}, with_iterations(20)},
+       false,
+       make_laplacian_pass},
+      {{Method::hc, "hc", "Improved Laplacian smoothing (HC)", {"iterations"}, with_iterations(20)},
+       false,
+       make_hc_pass},
+      {{Method::taubin, "taubin", "Taubin's signal processing", {"iterations"}, with_iterations(20)},
+       false,
+       make_taubin_pass},
   };
   return table;
 }

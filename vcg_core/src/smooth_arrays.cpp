@@ -13,20 +13,24 @@ namespace vcg_core::detail {
 
 namespace {
 
-std::vector<std::uint8_t> find_movable(const MeshArrays& mesh, const SmoothingParameters& parameters) {
+/// Which vertices may move; counts why the others may not.
+std::vector<std::uint8_t> find_movable(const MeshArrays& mesh, const SmoothingParameters& parameters,
+                                       SmoothingReport& report) {
+  const MeshTopology& topology = mesh.topology;
   std::vector<std::uint8_t> movable(mesh.size());
-  for (std::size_t i = 0; i < mesh.size(); ++i)
-    movable[i] = !(parameters.boundary == Boundary::fixed && mesh.topology.border[i]) &&
-                 !(parameters.selected_only && !mesh.selected[i]);
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    const bool held = (parameters.boundary == Boundary::fixed && topology.border[i]) ||
+                      (parameters.selected_only && !mesh.selected[i]);
+    const bool isolated = topology.star_begin[i] == topology.star_begin[i + 1];
+    report.fixed_vertices += held;
+    report.skipped_vertices.isolated += !held && isolated;
+    movable[i] = !held && !isolated;
+  }
   return movable;
 }
 
-bool is_isolated(const MeshArrays& mesh, std::size_t i) {
-  return mesh.topology.star_begin[i] == mesh.topology.star_begin[i + 1];
-}
-
 void describe_mesh(const MeshArrays& mesh, const MethodInfo& method, const SmoothingParameters& parameters,
-                   const std::vector<std::uint8_t>& movable, SmoothingReport& report) {
+                   SmoothingReport& report) {
   const double e = std::ldexp(mesh.topology.average_edge_length, -mesh.exponent);
   report.average_edge_length = e;
   if (method.uses("sigma_c")) report.sigma_c_length = parameters.sigma_c * e;
@@ -37,18 +41,12 @@ void describe_mesh(const MeshArrays& mesh, const MethodInfo& method, const Smoot
   report.non_manifold_vertices = mesh.topology.non_manifold_vertices;
   report.coincident_vertices = mesh.coincident_vertices;
   report.degenerate_faces = mesh.topology.degenerate_faces;
-  for (std::size_t i = 0; i < mesh.size(); ++i) {
-    if (!movable[i])
-      ++report.fixed_vertices;
-    else if (is_isolated(mesh, i))
-      ++report.skipped_vertices.isolated;
-  }
 }
 
 void count_undefined_normals(const MeshArrays& mesh, const std::vector<Vec3>& normal,
                              const std::vector<std::uint8_t>& movable, SmoothingReport& report) {
   for (std::size_t i = 0; i < mesh.size(); ++i)
-    report.skipped_vertices.undefined_normal += movable[i] && !is_isolated(mesh, i) && normal[i].isZero(0);
+    report.skipped_vertices.undefined_normal += movable[i] && normal[i].isZero(0);
 }
 
 }  // namespace
@@ -56,8 +54,8 @@ void count_undefined_normals(const MeshArrays& mesh, const std::vector<Vec3>& no
 SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const SmoothingParameters& parameters, Job& job) {
   const FilterEntry& filter = filter_entry(method);
   SmoothingResult result;
-  const std::vector<std::uint8_t> movable = find_movable(mesh, parameters);
-  describe_mesh(mesh, filter.info, parameters, movable, result.report);
+  describe_mesh(mesh, filter.info, parameters, result.report);
+  const std::vector<std::uint8_t> movable = find_movable(mesh, parameters, result.report);
 
   const FilterPass run_pass = filter.make_pass();
   result.position = mesh.position;

@@ -11,7 +11,12 @@ namespace vcg_core {
 
 /// The smoothing filters. Each says in its own file where it comes from and where it differs from its source.
 enum class Method {
-  paper  ///< Anisotropic Feature-Preserving Smoothing of 3D Mesh, sections 4 to 6
+  paper,      ///< Anisotropic Feature-Preserving Smoothing of 3D Mesh, sections 4 to 6
+  bmd,        ///< bilateral mesh denoising: Fleishman, Drori, Cohen-Or 2003; section 3
+  jones,      ///< non-iterative, feature-preserving mesh smoothing: Jones, Durand, Desbrun 2003
+  laplacian,  ///< vcglib's Laplacian smoothing
+  hc,         ///< vcglib's improved Laplacian smoothing: Vollmer, Mencl, Mueller 1999
+  taubin      ///< vcglib's Taubin smoothing: Taubin 1995
 };
 
 /// What a program needs to know to offer a method.

@@ -1,0 +1,55 @@
+#include "bmd_filter.h"
+
+#include <vcg_core/detail/job.h>
+
+#include "point_grid.h"
+#include "weights.h"
+
+namespace vcg_core::detail {
+
+namespace {
+
+std::vector<Index> vertices_with_faces(const MeshArrays& mesh) {
+  std::vector<Index> vertices;
+  vertices.reserve(mesh.size());
+  for (Index v = 0; v < mesh.size(); ++v)
+    if (mesh.topology.star_begin[v] != mesh.topology.star_begin[v + 1]) vertices.push_back(v);
+  return vertices;
+}
+
+/// Section 3's d_i, in |e|. `unit` is |e|.
+double bmd_offset(const Vec3& v_i, const Vec3& n_i, PointGrid::Search& ball, const GaussianWeights& weights,
+                  double unit) {
+  double sum = 0;
+  double sum_of_weights = 0;
+  ball.for_each_near(v_i, [&](Index, const Vec3& v_j) {
+    const Vec3 from_j = (v_i - v_j) / unit;
+    const double height = n_i.dot(from_j);
+    const double w = weights.product(from_j.squaredNorm(), height, 0);
+    sum += w * height;
+    sum_of_weights += w;
+  });
+  return sum / sum_of_weights;  // v_i itself has weight 1
+}
+
+}  // namespace
+
+PassOutput bmd_pass(const PassInput& in) {
+  const double unit = in.mesh.topology.average_edge_length;
+  const SmoothingParameters& p = in.parameters;
+  const GaussianWeights weights(p.sigma_c, p.sigma_s, p.sigma_n, p.gaussian);
+  const PointGrid grid(in.position, vertices_with_faces(in.mesh), p.rho * p.sigma_c * unit);
+  PassOutput out{in.position};
+  in.job.parallel(in.mesh.size(), 256, [&](Chunks& chunks) {
+    PointGrid::Search ball(grid);
+    while (chunks.next())
+      for (std::size_t i = chunks.begin(); i < chunks.end(); ++i) {
+        if (!in.movable[i] || in.normal[i].isZero(0)) continue;
+        chunks.poll();
+        out.position[i] -= in.normal[i] * (bmd_offset(in.position[i], in.normal[i], ball, weights, unit) * unit);
+      }
+  });
+  return out;
+}
+
+}  // namespace vcg_core::detail

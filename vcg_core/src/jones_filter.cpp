@@ -1,0 +1,130 @@
+#include "jones_filter.h"
+
+#include <atomic>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include <vcg_core/detail/job.h>
+
+#include "point_grid.h"
+
+namespace vcg_core::detail {
+
+namespace {
+
+struct FaceMeans {
+  std::vector<Vec3> centroid;
+  std::vector<double> area;  ///< in |e|^2
+};
+
+Vec3 face_cross(const MeshArrays& mesh, const std::vector<Vec3>& position, std::size_t f) {
+  const auto& face = mesh.face[f];
+  const Vec3& a = position[face[0]];
+  return (position[face[1]] - a).cross(position[face[2]] - a);
+}
+
+FaceMeans face_means(const MeshArrays& mesh, const std::vector<Vec3>& position, Job& job) {
+  const double unit = mesh.topology.average_edge_length;
+  FaceMeans means{std::vector<Vec3>(mesh.face.size()), std::vector<double>(mesh.face.size())};
+  job.parallel(mesh.face.size(), 4096, [&](Chunks& chunks) {
+    while (chunks.next())
+      for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
+        const auto& face = mesh.face[f];
+        means.centroid[f] = (position[face[0]] + position[face[1]] + position[face[2]]) / 3;
+        means.area[f] = (face_cross(mesh, position, f) / (unit * unit)).norm() / 2;
+      }
+  });
+  return means;
+}
+
+std::vector<Index> faces_with_area(const FaceMeans& means) {
+  std::vector<Index> faces;
+  for (Index f = 0; f < means.area.size(); ++f)
+    if (means.area[f] > 0) faces.push_back(f);
+  return faces;
+}
+
+/// Of a Gaussian with standard deviation sigma.
+double exponent(double squared_argument, double sigma) { return -squared_argument / sigma / sigma / 2; }
+
+/// The vertices of the copy that lends its normals: all that have faces, movable or not.
+std::vector<Vec3> mollified_positions(const PassInput& in, const FaceMeans& means, const std::vector<Index>& faces) {
+  const double unit = in.mesh.topology.average_edge_length;
+  const double sigma = in.parameters.sigma_c / 2;
+  const PointGrid grid(means.centroid, faces, in.parameters.rho * sigma * unit);
+  std::vector<Vec3> mollified = in.position;
+  in.job.parallel(in.mesh.size(), 256, [&](Chunks& chunks) {
+    PointGrid::Search ball(grid);
+    while (chunks.next())
+      for (std::size_t i = chunks.begin(); i < chunks.end(); ++i) {
+        if (in.mesh.topology.star_begin[i] == in.mesh.topology.star_begin[i + 1]) continue;
+        chunks.poll();
+        const Vec3& p = in.position[i];
+        Vec3 sum = Vec3::Zero();
+        double sum_of_weights = 0;
+        ball.for_each_near(p, [&](Index q, const Vec3& centroid) {
+          const Vec3 to_centroid = (centroid - p) / unit;
+          const double w = means.area[q] * std::exp(exponent(to_centroid.squaredNorm(), sigma));
+          sum += w * to_centroid;
+          sum_of_weights += w;
+        });
+        if (sum_of_weights > 0) mollified[i] += sum / sum_of_weights * unit;
+      }
+  });
+  return mollified;
+}
+
+/// Unit normals of the faces; zero for those without area.
+std::vector<Vec3> face_normals(const MeshArrays& mesh, const std::vector<Vec3>& position, Job& job) {
+  std::vector<Vec3> normal(mesh.face.size());
+  job.parallel(mesh.face.size(), 4096, [&](Chunks& chunks) {
+    while (chunks.next())
+      for (std::size_t f = chunks.begin(); f < chunks.end(); ++f)
+        normal[f] = face_cross(mesh, position, f).stableNormalized();
+  });
+  return normal;
+}
+
+}  // namespace
+
+PassOutput jones_pass(const PassInput& in) {
+  const double unit = in.mesh.topology.average_edge_length;
+  const double sigma_c = in.parameters.sigma_c;
+  const double sigma_s = in.parameters.sigma_s;
+  const FaceMeans means = face_means(in.mesh, in.position, in.job);
+  const std::vector<Index> faces = faces_with_area(means);
+  const std::vector<Vec3> normal = face_normals(in.mesh, mollified_positions(in, means, faces), in.job);
+
+  const PointGrid grid(means.centroid, faces, in.parameters.rho * sigma_c * unit);
+  PassOutput out{in.position};
+  std::atomic<std::size_t> empty{0};
+  in.job.parallel(in.mesh.size(), 256, [&](Chunks& chunks) {
+    PointGrid::Search ball(grid);
+    while (chunks.next())
+      for (std::size_t i = chunks.begin(); i < chunks.end(); ++i) {
+        if (!in.movable[i]) continue;
+        chunks.poll();
+        const Vec3& p = in.position[i];
+        Vec3 sum = Vec3::Zero();  // of the ways from p to its predictions, in |e|
+        double sum_of_weights = 0;
+        ball.for_each_near(p, [&](Index q, const Vec3& centroid) {
+          if (normal[q].isZero(0)) return;
+          const Vec3 from_centroid = (p - centroid) / unit;
+          const double height = normal[q].dot(from_centroid);
+          const double w = means.area[q] * std::exp(exponent(from_centroid.squaredNorm(), sigma_c) +
+                                                    exponent(height * height, sigma_s));
+          sum -= w * height * normal[q];
+          sum_of_weights += w;
+        });
+        if (sum_of_weights > 0)
+          out.position[i] += sum / sum_of_weights * unit;
+        else
+          ++empty;
+      }
+  });
+  out.empty_neighbourhoods = empty;
+  return out;
+}
+
+}  // namespace vcg_core::detail

@@ -1,0 +1,15 @@
+#include "laplacian_filter.h"
+
+#include "vcglib_mesh.h"
+
+namespace vcg_core::detail {
+
+FilterPass make_laplacian_pass() {
+  return make_vcglib_pass([](VcglibMesh& mesh) {
+    const auto step = [](SmoothedMesh& m) { vcg::tri::Smooth<SmoothedMesh>::VertexCoordLaplacian(m, 1, true); };
+    // From (sum - k v_i) / (k + 2) to 2 (sum - k v_i) / (2 k + 1).
+    mesh.step_scaling_borders(step, [](double k) { return 2 * (k + 2) / (2 * k + 1); });
+  });
+}
+
+}  // namespace vcg_core::detail

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <vcg_core/detail/mesh_arrays.h>
+
+namespace vcg_core::detail {
+
+/// Finds the points within one fixed Euclidean distance of a place, whatever the connectivity: a uniform grid with
+/// cells as wide as that distance, of which only the occupied ones are kept, sorted.
+class PointGrid {
+ public:
+  /// @param points  indices into `position` of the points to find
+  /// @param radius  > 0, in units of `position`
+  PointGrid(const std::vector<Vec3>& position, const std::vector<Index>& points, double radius);
+
+  /// One thread's searches. Places near the one before cost less: the cells around it are remembered.
+  class Search {
+   public:
+    explicit Search(const PointGrid& grid) : grid_(grid) {}
+
+    /// Calls visit(index, position) for each point less than the radius away from `center`, in an order that depends
+    /// on the points and on the cell of `center` only.
+    template <class Visit>
+    void for_each_near(const Vec3& center, Visit&& visit) {
+      find_rows(grid_.cell_of(center));
+      for (const auto& row : rows_)
+        for (std::size_t k = row.first; k < row.second; ++k)
+          if ((grid_.position_[k] - center).squaredNorm() < grid_.squared_radius_)
+            visit(grid_.index_[k], grid_.position_[k]);
+    }
+
+   private:
+    void find_rows(const std::array<std::int64_t, 3>& cell);
+
+    const PointGrid& grid_;
+    std::array<std::int64_t, 3> cell_{-1, -1, -1};
+    std::array<std::pair<std::size_t, std::size_t>, 9> rows_;  ///< ranges of points: three cells along x each
+  };
+
+ private:
+  std::array<std::int64_t, 3> cell_of(const Vec3& p) const;
+  static std::uint64_t key_of(std::int64_t x, std::int64_t y, std::int64_t z);
+
+  double squared_radius_;
+  double cell_size_;
+  Vec3 origin_;
+  std::vector<std::uint64_t> key_;  ///< the cell of each point, ascending; neighbours along x are consecutive
+  std::vector<Index> index_;
+  std::vector<Vec3> position_;
+};
+
+}  // namespace vcg_core::detail

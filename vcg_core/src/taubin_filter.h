@@ -1,0 +1,18 @@
+#pragma once
+
+#include "filter.h"
+
+namespace vcg_core::detail {
+
+/// Table 1's lambda and mu.
+constexpr float taubin_lambda = 0.6307f;
+constexpr float taubin_mu = -0.6732f;
+
+/// Taubin's signal processing: vcglib's tri::Smooth::VertexCoordTaubin, a lambda step and a mu step a pass. Each moves
+/// a vertex by lambda (or mu) times the way to the mean of its neighbours.
+///
+/// Where the code differs: vcglib averages border vertices with their neighbours along the border and with themselves.
+/// The second is undone here: along a border that is free the rule is the one above.
+FilterPass make_taubin_pass();
+
+}  // namespace vcg_core::detail
