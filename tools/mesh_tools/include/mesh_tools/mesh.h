@@ -14,11 +14,11 @@ namespace detail {
 class VertexD;
 class EdgeD;
 class FaceD;
-struct TypesD : vcg::UsedTypes<vcg::Use<VertexD>::AsVertexType, vcg::Use<EdgeD>::AsEdgeType,
-                               vcg::Use<FaceD>::AsFaceType> {};
-class VertexD : public vcg::Vertex<TypesD, vcg::vertex::Coord3d, vcg::vertex::Normal3d, vcg::vertex::BitFlags,
-                                   vcg::vertex::Color4b, vcg::vertex::Qualityd, vcg::vertex::TexCoord2f,
-                                   vcg::vertex::Radiusf> {};
+struct TypesD
+    : vcg::UsedTypes<vcg::Use<VertexD>::AsVertexType, vcg::Use<EdgeD>::AsEdgeType, vcg::Use<FaceD>::AsFaceType> {};
+class VertexD
+    : public vcg::Vertex<TypesD, vcg::vertex::Coord3d, vcg::vertex::Normal3d, vcg::vertex::BitFlags,
+                         vcg::vertex::Color4b, vcg::vertex::Qualityd, vcg::vertex::TexCoord2f, vcg::vertex::Radiusf> {};
 class EdgeD : public vcg::Edge<TypesD, vcg::edge::VertexRef, vcg::edge::BitFlags> {};
 class FaceD : public vcg::Face<TypesD, vcg::face::VertexRef, vcg::face::Normal3d, vcg::face::BitFlags,
                                vcg::face::Color4b, vcg::face::Qualityd, vcg::face::WedgeTexCoord2f> {};
@@ -26,11 +26,11 @@ class FaceD : public vcg::Face<TypesD, vcg::face::VertexRef, vcg::face::Normal3d
 class VertexF;
 class EdgeF;
 class FaceF;
-struct TypesF : vcg::UsedTypes<vcg::Use<VertexF>::AsVertexType, vcg::Use<EdgeF>::AsEdgeType,
-                               vcg::Use<FaceF>::AsFaceType> {};
-class VertexF : public vcg::Vertex<TypesF, vcg::vertex::Coord3f, vcg::vertex::Normal3f, vcg::vertex::BitFlags,
-                                   vcg::vertex::Color4b, vcg::vertex::Qualityf, vcg::vertex::TexCoord2f,
-                                   vcg::vertex::Radiusf> {};
+struct TypesF
+    : vcg::UsedTypes<vcg::Use<VertexF>::AsVertexType, vcg::Use<EdgeF>::AsEdgeType, vcg::Use<FaceF>::AsFaceType> {};
+class VertexF
+    : public vcg::Vertex<TypesF, vcg::vertex::Coord3f, vcg::vertex::Normal3f, vcg::vertex::BitFlags,
+                         vcg::vertex::Color4b, vcg::vertex::Qualityf, vcg::vertex::TexCoord2f, vcg::vertex::Radiusf> {};
 class EdgeF : public vcg::Edge<TypesF, vcg::edge::VertexRef, vcg::edge::BitFlags> {};
 class FaceF : public vcg::Face<TypesF, vcg::face::VertexRef, vcg::face::Normal3f, vcg::face::BitFlags,
                                vcg::face::Color4b, vcg::face::Qualityf, vcg::face::WedgeTexCoord2f> {};
@@ -39,8 +39,7 @@ class FaceF : public vcg::Face<TypesF, vcg::face::VertexRef, vcg::face::Normal3f
 
 /// The mesh of the tools: double precision, with room for every attribute that the file formats carry. Unlike vcglib's
 /// meshes it can be moved, so that functions return it; attributes that a caller attached by name do not move along.
-struct Mesh : vcg::tri::TriMesh<std::vector<detail::VertexD>, std::vector<detail::EdgeD>,
-                                std::vector<detail::FaceD>> {
+struct Mesh : vcg::tri::TriMesh<std::vector<detail::VertexD>, std::vector<detail::EdgeD>, std::vector<detail::FaceD>> {
   Mesh() = default;
   Mesh(Mesh&& other) { swap(other); }
   Mesh& operator=(Mesh&& other) {
@@ -53,8 +52,8 @@ struct Mesh : vcg::tri::TriMesh<std::vector<detail::VertexD>, std::vector<detail
 };
 
 /// The same in single precision, as most files and MeshLab's usual build store it.
-struct MeshF : vcg::tri::TriMesh<std::vector<detail::VertexF>, std::vector<detail::EdgeF>,
-                                 std::vector<detail::FaceF>> {};
+struct MeshF : vcg::tri::TriMesh<std::vector<detail::VertexF>, std::vector<detail::EdgeF>, std::vector<detail::FaceF>> {
+};
 
 /// Replaces `to` by a copy of `from` with all attributes; exact from float to double, rounded once the other way.
 /// Deleted elements are left out.

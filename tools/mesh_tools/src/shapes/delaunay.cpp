@@ -64,8 +64,8 @@ class Builder {
     std::frexp(extent, &exponent);
     grid_.reserve(points.size());
     for (const Point2& p : points)  // a power of two: points that lie on such a grid are not moved
-      grid_.push_back({std::llround(std::ldexp(p.x - low.x, 30 - exponent)),
-                       std::llround(std::ldexp(p.y - low.y, 30 - exponent))});
+      grid_.push_back(
+          {std::llround(std::ldexp(p.x - low.x, 30 - exponent)), std::llround(std::ldexp(p.y - low.y, 30 - exponent))});
     link_.assign(points.size() + 1, -1);
   }
 

@@ -17,8 +17,8 @@ struct Triangulation {
 };
 
 /// Delaunay triangulation of the convex hull of `points`, by incremental insertion (Bowyer 1981, Watson 1981).
-/// Decisions are exact: they are made in integers, on the points snapped to a grid of 2^30 cells over the larger side of
-/// their bounding box. The result is the same on every platform.
+/// Decisions are exact: they are made in integers, on the points snapped to a grid of 2^30 cells over the larger side
+/// of their bounding box. The result is the same on every platform.
 /// @throws std::invalid_argument if two points share a grid cell or all lie on a line
 Triangulation delaunay(const std::vector<Point2>& points);
 

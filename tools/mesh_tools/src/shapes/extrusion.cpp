@@ -34,7 +34,8 @@ Seam add_seam(SurfaceBuilder& builder, int lower, int upper) {
   const vcg::Point3d from = builder.position(lower), to = builder.position(upper);
   const double length = (to - from).Norm();
   Seam seam{{lower}};
-  for (double s : cuts(length, [&](double t) { return builder.spacing(from + (to - from) * (t / length)); }, 1))
+  for (double s : cuts(
+           length, [&](double t) { return builder.spacing(from + (to - from) * (t / length)); }, 1))
     seam.vertices.push_back(builder.add_vertex(from + (to - from) * (s / length)));
   seam.vertices.push_back(upper);
   return seam;
@@ -59,7 +60,8 @@ Ring add_ring(SurfaceBuilder& builder, const Outline& outline, double height) {
     auto& samples = ring.runs.emplace_back();
     samples.push_back({builder.add_vertex(place(run, 0)), 0});
     const int at_least = runs == 1 ? 3 : 1;
-    for (double s : cuts(length, [&](double t) { return builder.spacing(place(run, t)); }, at_least))
+    for (double s : cuts(
+             length, [&](double t) { return builder.spacing(place(run, t)); }, at_least))
       samples.push_back({builder.add_vertex(place(run, s)), s});
   }
   for (std::size_t run = 0; run < runs; ++run)

@@ -22,7 +22,7 @@ struct Corner {
 
 /// A piece of surface that unrolls to the plane without stretch: plane, cylinder.
 struct Patch {
-  std::vector<std::vector<Corner>> loops;             ///< closed; the patch is what they enclose (even-odd rule)
+  std::vector<std::vector<Corner>> loops;              ///< closed; the patch is what they enclose (even-odd rule)
   std::function<vcg::Point3d(const Point2&)> surface;  ///< u x v points outwards
   double smallest_spacing;                             ///< a lower bound of the wanted edge length on it
 };

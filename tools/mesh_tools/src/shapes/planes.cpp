@@ -39,20 +39,24 @@ void make_grid(std::size_t vertices, Choice is_slash, Mesh& mesh) {
 }  // namespace
 
 void make_plane_slash(std::size_t vertices, Mesh& mesh) {
-  make_grid(vertices, [](int, int) { return true; }, mesh);
+  make_grid(
+      vertices, [](int, int) { return true; }, mesh);
 }
 
 void make_plane_backslash(std::size_t vertices, Mesh& mesh) {
-  make_grid(vertices, [](int, int) { return false; }, mesh);
+  make_grid(
+      vertices, [](int, int) { return false; }, mesh);
 }
 
 void make_plane_alternating(std::size_t vertices, Mesh& mesh) {
-  make_grid(vertices, [](int column, int row) { return (column + row) % 2 == 0; }, mesh);
+  make_grid(
+      vertices, [](int column, int row) { return (column + row) % 2 == 0; }, mesh);
 }
 
 void make_plane_random_diagonals(std::size_t vertices, Mesh& mesh) {
   Random random(1);
-  make_grid(vertices, [&](int, int) { return random.uniform() < 0.5; }, mesh);
+  make_grid(
+      vertices, [&](int, int) { return random.uniform() < 0.5; }, mesh);
 }
 
 void make_plane_delaunay(std::size_t vertices, Mesh& mesh) {

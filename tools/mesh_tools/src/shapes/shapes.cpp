@@ -20,13 +20,12 @@ const std::vector<Shape>& all_shapes() {
       {"torus", "torus of radii 1 and 0.4", 48, make_torus},
       {"cube", "unit cube, irregular triangles", 60, make_cube},
       {"stepped_block", "block with four steps", 200, make_stepped_block},
-      {"cad_part", "machine part in the manner of a fan disk: straight and curved sharp edges, cylinders, fillets, a hole",
-       2000, make_cad_part},
+      {"cad_part",
+       "machine part in the manner of a fan disk: straight and curved sharp edges, cylinders, fillets, a hole", 2000,
+       make_cad_part},
       {"thin_plate", "closed square plate, one edge length thick", 100, make_thin_plate},
-      {"thin_sheets", "four open square sheets of the same orientation, two edge lengths apart", 100,
-       make_thin_sheets},
-      {"graded_cube", "unit cube whose edges grow tenfold from one corner to the opposite one", 500,
-       make_graded_cube},
+      {"thin_sheets", "four open square sheets of the same orientation, two edge lengths apart", 100, make_thin_sheets},
+      {"graded_cube", "unit cube whose edges grow tenfold from one corner to the opposite one", 500, make_graded_cube},
   };
   return table;
 }

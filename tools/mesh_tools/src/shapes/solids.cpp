@@ -92,16 +92,8 @@ void make_cube(std::size_t vertices, Mesh& mesh) {
 }
 
 void make_stepped_block(std::size_t vertices, Mesh& mesh) {
-  const Outline outline = Outline::polygon({{0, 0},
-                                            {1, 0},
-                                            {1, 0.2},
-                                            {0.75, 0.2},
-                                            {0.75, 0.4},
-                                            {0.5, 0.4},
-                                            {0.5, 0.6},
-                                            {0.25, 0.6},
-                                            {0.25, 0.8},
-                                            {0, 0.8}});
+  const Outline outline = Outline::polygon(
+      {{0, 0}, {1, 0}, {1, 0.2}, {0.75, 0.2}, {0.75, 0.4}, {0.5, 0.4}, {0.5, 0.6}, {0.25, 0.6}, {0.25, 0.8}, {0, 0.8}});
   build_with_count(vertices, 2 * 0.5 + 3.6 * 0.7, mesh, [&](double h, bool triangulate) {
     SurfaceBuilder builder(constant(h), true, triangulate);
     extrude(builder, outline, 0.7, h);

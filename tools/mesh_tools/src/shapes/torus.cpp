@@ -25,8 +25,7 @@ void make_torus(std::size_t vertices, Mesh& mesh) {
       points.emplace_back(r * std::cos(u), r * std::sin(u), minor * std::sin(v));
       const int shift = row % 2;
       triangles.push_back({index(row, column), index(row, column + 1), index(row + 1, column + shift)});
-      triangles.push_back(
-          {index(row, column + 1), index(row + 1, column + 1 + shift), index(row + 1, column + shift)});
+      triangles.push_back({index(row, column + 1), index(row + 1, column + 1 + shift), index(row + 1, column + shift)});
     }
   }
   fill_mesh(points, triangles, mesh);

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <mesh_tools/mesh.h>
+
+namespace mesh_tools {
+
+/// A file cannot be read or written; what() is one sentence that says which, what and what is allowed.
+class FileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The caller asked to stop while a file was being written; nothing was left behind.
+class WriteInterrupted : public std::runtime_error {
+ public:
+  WriteInterrupted() : std::runtime_error("interrupted") {}
+};
+
+/// How many digits the file holds. Text formats declare none and count as double.
+enum class Precision { single_precision, double_precision };
+
+/// What belongs to a file besides the positions and the faces.
+struct MeshFile {
+  Mesh mesh;
+  Precision precision = Precision::double_precision;
+  int attributes = 0;                 ///< bits of vcg::tri::io::Mask: what the file holds, and what is to be written
+  std::vector<std::string> warnings;  ///< what could not be kept, in sentences
+};
+
+/// Reads PLY, OBJ, OFF or STL, told by the extension. PLY and STL are read by vcglib's importers, after a check of the
+/// whole file, for these trust what they read. OBJ and OFF are read by readers of our own: the OBJ importer of vcglib
+/// 2020.09 drops every face that refers to vertex 1, its OFF importer does not check indices.
+/// Polygons are cut into fans of triangles. STL knows no shared vertices: those at exactly the same place are merged.
+/// @throws FileError
+MeshFile read_mesh(const std::filesystem::path& path);
+
+/// Writes PLY (binary), OBJ, OFF or STL (binary), told by the extension. The file appears complete or not at all: it is
+/// written beside its place, checked, and renamed. Text has the digits that give the same number back.
+/// @param interrupted  asked just before the renaming; true: stop, leave nothing
+/// @return             sentences about attributes that the format cannot hold
+/// @throws FileError, WriteInterrupted
+std::vector<std::string> write_mesh(const MeshFile& file, const std::filesystem::path& path,
+                                    const std::function<bool()>& interrupted = {});
+
+/// Throws FileError unless a mesh can be written to `path`: known extension, existing folder, nothing but a regular
+/// file in its place. Cheap: to be asked before long work.
+void check_writable(const std::filesystem::path& path);
+
+/// Writes a text file in the same way: complete or not at all.
+void write_text(const std::string& text, const std::filesystem::path& path);
+
+/// Recomputes vertex and face normals from positions.
+void update_normals(Mesh& mesh);
+
+}  // namespace mesh_tools

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <mesh_tools/mesh_io.h>
+
+/// One reader and one writer for each format; read_mesh and write_mesh choose and see to files, permissions, renaming.
+namespace mesh_tools::io {
+
+MeshFile read_ply(const std::filesystem::path& path);
+MeshFile read_obj(const std::filesystem::path& path);
+MeshFile read_off(const std::filesystem::path& path);
+MeshFile read_stl(const std::filesystem::path& path);
+
+/// The material file of an OBJ file: where it is written, and the name it will have.
+struct Companion {
+  std::filesystem::path path;
+  std::string name;
+  bool written = false;
+};
+
+/// Writers return whether all has been written.
+bool write_ply(const MeshFile& file, const std::filesystem::path& path);
+bool write_obj(const MeshFile& file, const std::filesystem::path& path, Companion& companion);
+bool write_off(const MeshFile& file, const std::filesystem::path& path);
+bool write_stl(const MeshFile& file, const std::filesystem::path& path);
+
+/// Attributes that a format can hold, as bits of vcg::tri::io::Mask.
+constexpr int vertex_normal = 0x10, vertex_color = 0x4, vertex_quality = 0x8, vertex_texture = 0x20, vertex_flags = 0x2,
+              vertex_radius = 0x10000, face_flags = 0x80, face_color = 0x100, face_quality = 0x200, face_normal = 0x400,
+              wedge_texture = 0x1000, wedge_texture_index = 0x2000, edges = 0x80000, camera = 0x8000;
+constexpr int ply_attributes = vertex_normal | vertex_color | vertex_quality | vertex_texture | vertex_flags |
+                               vertex_radius | face_flags | face_color | face_quality | face_normal | wedge_texture |
+                               wedge_texture_index | edges | camera;
+constexpr int obj_attributes = vertex_normal | vertex_color | wedge_texture | wedge_texture_index | face_color | edges;
+constexpr int off_attributes = vertex_normal | vertex_color | face_color;
+constexpr int stl_attributes = face_color;
+
+/// "FILE: what" as a FileError.
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& what);
+[[noreturn]] void fail_at_line(const std::filesystem::path& path, std::size_t line, const std::string& what);
+
+/// The whole file as bytes.
+std::string read_bytes(const std::filesystem::path& path);
+bool write_bytes(const std::string& bytes, const std::filesystem::path& path);
+
+}  // namespace mesh_tools::io

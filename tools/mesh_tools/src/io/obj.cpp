@@ -1,0 +1,353 @@
+// Wavefront OBJ: v (with colour), vt, vn, f, l, and materials for face colour and texture.
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include <mesh_tools/mesh.h>  // first: the headers of vcglib below need it
+
+#include <vcg/complex/algorithms/update/bounding.h>
+#include <wrap/io_trimesh/import_obj.h>
+
+#include "formats.h"
+#include "text.h"
+
+namespace mesh_tools::io {
+namespace {
+
+using Words = std::vector<std::string_view>;
+using Allocator = vcg::tri::Allocator<Mesh>;
+using Material = vcg::tri::io::Material;
+
+unsigned char to_byte(double fraction) {
+  return static_cast<unsigned char>(std::min(255.0, std::max(0.0, fraction * 255 + 0.5)));
+}
+
+class ObjReader {
+ public:
+  ObjReader(const std::string& text, const std::filesystem::path& path) : path_(path), reader_(text, path) {}
+
+  MeshFile read() {
+    Words words;
+    while (reader_.next(words)) {
+      const std::string_view what = words[0];
+      if (what == "v")
+        read_vertex(words);
+      else if (what == "vt")
+        textures_.push_back(read_texture(words));
+      else if (what == "vn")
+        normals_.push_back(read_point(words, "a vertex normal"));
+      else if (what == "f")
+        read_face(words);
+      else if (what == "l")
+        read_line(words);
+      else if (what == "mtllib")
+        read_materials(words);
+      else if (what == "usemtl")
+        use_material(words);
+    }
+    build();
+    return std::move(file_);
+  }
+
+ private:
+  struct Corner {
+    std::int64_t vertex, texture, normal;  // -1: none
+  };
+  struct Texture {
+    float u, v;
+  };
+  struct Triangle {
+    Corner corner[3];
+    int material;
+  };
+
+  vcg::Point3d read_point(const Words& words, const char* name) const {
+    if (words.size() < 4) reader_.fail(std::string(name) + " has fewer than 3 numbers");
+    return {reader_.number(words[1]), reader_.number(words[2]), reader_.number(words[3])};
+  }
+
+  void read_vertex(const Words& words) {
+    positions_.push_back(read_point(words, "a vertex"));
+    if (words.size() < 7) {
+      if (!colors_.empty()) colors_.emplace_back(255, 255, 255, 255);
+      return;
+    }
+    colors_.resize(positions_.size() - 1, vcg::Color4b(255, 255, 255, 255));
+    double value[3];
+    bool fractions = true;
+    for (int k = 0; k < 3; ++k) {
+      value[k] = reader_.number(words[4 + k]);
+      fractions &= value[k] <= 1;
+    }
+    const double scale = fractions ? 1 : 1.0 / 255;
+    colors_.emplace_back(to_byte(value[0] * scale), to_byte(value[1] * scale), to_byte(value[2] * scale), 255);
+  }
+
+  Texture read_texture(const Words& words) const {
+    if (words.size() < 3) reader_.fail("a texture coordinate has fewer than 2 numbers");
+    return {static_cast<float>(reader_.number(words[1])), static_cast<float>(reader_.number(words[2]))};
+  }
+
+  /// Index from 1, or from -1 backwards, to an index from 0.
+  std::int64_t index(std::string_view word, std::size_t count, const char* name) const {
+    const std::int64_t given = reader_.integer(word), size = static_cast<std::int64_t>(count);
+    const std::int64_t result = given < 0 ? size + given : given - 1;
+    if (given == 0 || result < 0 || result >= size)
+      reader_.fail("refers to " + std::string(name) + " " + std::string(word) + "; before this line there are " +
+                   std::to_string(count));
+    return result;
+  }
+
+  Corner read_corner(std::string_view word) const {
+    const std::size_t first = word.find('/'), second = first == word.npos ? word.npos : word.find('/', first + 1);
+    Corner corner{index(word.substr(0, first), positions_.size(), "vertex"), -1, -1};
+    if (first == word.npos) return corner;
+    const std::string_view texture = word.substr(first + 1, second == word.npos ? word.npos : second - first - 1);
+    if (!texture.empty()) corner.texture = index(texture, textures_.size(), "texture coordinate");
+    if (second != word.npos && second + 1 < word.size())
+      corner.normal = index(word.substr(second + 1), normals_.size(), "vertex normal");
+    return corner;
+  }
+
+  void read_face(const Words& words) {
+    if (words.size() < 4) reader_.fail("a face has fewer than 3 vertices");
+    std::vector<Corner> corners;
+    for (std::size_t i = 1; i < words.size(); ++i) corners.push_back(read_corner(words[i]));
+    for (std::size_t i = 2; i < corners.size(); ++i)
+      triangles_.push_back({{corners[0], corners[i - 1], corners[i]}, material_});
+  }
+
+  void read_line(const Words& words) {
+    for (std::size_t i = 2; i < words.size(); ++i)
+      edges_.emplace_back(read_corner(words[i - 1]).vertex, read_corner(words[i]).vertex);
+  }
+
+  static std::string rest_of(const Words& words) {
+    std::string name(words[1]);
+    for (std::size_t i = 2; i < words.size(); ++i) name.append(" ").append(words[i]);
+    return name;
+  }
+
+  void read_materials(const Words& words) {
+    if (words.size() < 2) reader_.fail("mtllib without a file name");
+    const std::filesystem::path library = path_.parent_path() / rest_of(words);
+    std::vector<Material> more;
+    if (!std::filesystem::is_regular_file(library) ||
+        !vcg::tri::io::ImporterOBJ<Mesh>::LoadMaterials(library.c_str(), more, file_.mesh.textures)) {
+      file_.warnings.push_back(library.string() + ": the material file cannot be read; colours and textures are lost");
+      return;
+    }
+    materials_.insert(materials_.end(), more.begin(), more.end());
+  }
+
+  void use_material(const Words& words) {
+    material_ = -1;
+    if (words.size() < 2) return;
+    const std::string name = rest_of(words);
+    for (std::size_t i = 0; i < materials_.size(); ++i)
+      if (materials_[i].materialName == name) material_ = static_cast<int>(i);
+  }
+
+  void build() {
+    Mesh& mesh = file_.mesh;
+    if (!positions_.empty()) Allocator::AddVertices(mesh, positions_.size());
+    for (std::size_t i = 0; i < positions_.size(); ++i) {
+      mesh.vert[i].P() = positions_[i];
+      if (!colors_.empty()) mesh.vert[i].C() = colors_[i];
+    }
+    if (!triangles_.empty()) Allocator::AddFaces(mesh, triangles_.size());
+    bool all_textured = !triangles_.empty(), all_normal = !triangles_.empty();
+    for (std::size_t i = 0; i < triangles_.size(); ++i)
+      fill_face(triangles_[i], mesh.face[i], all_textured, all_normal);
+    for (const auto& [a, b] : edges_) {
+      auto edge = Allocator::AddEdges(mesh, 1);
+      edge->V(0) = &mesh.vert[a];
+      edge->V(1) = &mesh.vert[b];
+    }
+    if (!colors_.empty()) file_.attributes |= vertex_color;
+    if (all_normal) file_.attributes |= vertex_normal;
+    if (all_textured) file_.attributes |= wedge_texture;
+    if (!edges_.empty()) file_.attributes |= edges;
+    if (!all_textured && !textures_.empty())
+      file_.warnings.push_back(path_.string() + ": not every face has texture coordinates; they are not kept");
+    vcg::tri::UpdateBounding<Mesh>::Box(mesh);
+  }
+
+  void fill_face(const Triangle& triangle, detail::FaceD& face, bool& all_textured, bool& all_normal) {
+    const bool has_material = triangle.material >= 0;
+    for (int k = 0; k < 3; ++k) {
+      const Corner& corner = triangle.corner[k];
+      face.V(k) = &file_.mesh.vert[corner.vertex];
+      all_normal &= corner.normal >= 0;
+      all_textured &= corner.texture >= 0;
+      if (corner.normal >= 0) face.V(k)->N() = normals_[corner.normal];
+      if (corner.texture < 0) continue;
+      face.WT(k).u() = textures_[corner.texture].u;
+      face.WT(k).v() = textures_[corner.texture].v;
+      const int page = has_material ? static_cast<int>(materials_[triangle.material].index) : 0;
+      face.WT(k).n() = static_cast<short>(std::max(0, page));
+    }
+    if (!has_material) {
+      face.C() = vcg::Color4b(255, 255, 255, 255);
+      return;
+    }
+    const Material& material = materials_[triangle.material];
+    face.C() =
+        vcg::Color4b(to_byte(material.Kd[0]), to_byte(material.Kd[1]), to_byte(material.Kd[2]), to_byte(material.Tr));
+    file_.attributes |= face_color;
+  }
+
+  std::filesystem::path path_;
+  LineReader reader_;
+  MeshFile file_;
+  std::vector<vcg::Point3d> positions_, normals_;
+  std::vector<vcg::Color4b> colors_;
+  std::vector<Texture> textures_;
+  std::vector<Triangle> triangles_;
+  std::vector<std::pair<std::int64_t, std::int64_t>> edges_;
+  std::vector<Material> materials_;
+  int material_ = -1;
+};
+
+/// Colour and texture of a face, as the material file names them.
+struct FaceMaterial {
+  std::array<unsigned char, 4> color;
+  std::string texture;
+
+  bool operator<(const FaceMaterial& other) const {
+    return std::tie(color, texture) < std::tie(other.color, other.texture);
+  }
+};
+
+template <class AnyMesh>
+class ObjText {
+ public:
+  ObjText(const AnyMesh& mesh, int attributes) : mesh_(mesh), attributes_(attributes) {}
+
+  std::map<FaceMaterial, std::size_t> materials;
+
+  std::string text(const std::string& material_name) {
+    const bool has_materials = attributes_ & (face_color | wedge_texture);
+    if (has_materials) text_ += "mtllib " + material_name + "\n";
+    append_vertices();
+    std::size_t current = mesh_.face.size();  // none: there are never more materials than faces
+    for (const auto& face : mesh_.face) {
+      if (face.IsD()) continue;
+      if (has_materials) {
+        const std::size_t material = materials.try_emplace(material_of(face), materials.size()).first->second;
+        if (material != current) text_ += "usemtl material_" + std::to_string(material) + "\n";
+        current = material;
+      }
+      append_face(face);
+    }
+    for (const auto& edge : mesh_.edge)
+      if (!edge.IsD() && (attributes_ & edges))
+        text_ += "l " + std::to_string(number_[vcg::tri::Index(mesh_, edge.cV(0))]) + " " +
+                 std::to_string(number_[vcg::tri::Index(mesh_, edge.cV(1))]) + "\n";
+    return std::move(text_);
+  }
+
+ private:
+  template <class AnyFace>
+  FaceMaterial material_of(const AnyFace& face) const {
+    FaceMaterial material{{255, 255, 255, 255}, {}};
+    if (attributes_ & face_color)
+      for (int k = 0; k < 4; ++k) material.color[k] = face.cC()[k];
+    const int page = face.cWT(0).n();
+    if ((attributes_ & wedge_texture) && page >= 0 && static_cast<std::size_t>(page) < mesh_.textures.size())
+      material.texture = mesh_.textures[page];
+    return material;
+  }
+
+  template <class Scalar>
+  void append(Scalar value) {
+    append_number(text_ += ' ', value);
+  }
+
+  void append_vertices() {
+    number_.resize(mesh_.vert.size());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < mesh_.vert.size(); ++i) {
+      const auto& vertex = mesh_.vert[i];
+      if (vertex.IsD()) continue;
+      number_[i] = ++count;
+      text_ += 'v';
+      for (int k = 0; k < 3; ++k) append(vertex.cP()[k]);
+      if (attributes_ & vertex_color)
+        for (int k = 0; k < 3; ++k) append(static_cast<float>(vertex.cC()[k]) / 255);
+      text_ += '\n';
+      if (!(attributes_ & vertex_normal)) continue;
+      text_ += "vn";
+      for (int k = 0; k < 3; ++k) append(vertex.cN()[k]);
+      text_ += '\n';
+    }
+  }
+
+  template <class AnyFace>
+  void append_face(const AnyFace& face) {
+    const bool textured = attributes_ & wedge_texture, normals = attributes_ & vertex_normal;
+    std::size_t texture[3] = {};
+    for (int k = 0; k < 3 && textured; ++k) {
+      const auto [entry, is_new] = textures_.try_emplace({face.cWT(k).u(), face.cWT(k).v()}, textures_.size() + 1);
+      texture[k] = entry->second;
+      if (!is_new) continue;
+      text_ += "vt";
+      append(face.cWT(k).u());
+      append(face.cWT(k).v());
+      text_ += '\n';
+    }
+    text_ += 'f';
+    for (int k = 0; k < 3; ++k) {
+      const std::string vertex = std::to_string(number_[vcg::tri::Index(mesh_, face.cV(k))]);
+      text_.append(" ").append(vertex);
+      if (textured || normals) text_ += '/';
+      if (textured) text_ += std::to_string(texture[k]);
+      if (normals) text_.append("/").append(vertex);
+    }
+    text_ += '\n';
+  }
+
+  const AnyMesh& mesh_;
+  int attributes_;
+  std::string text_;
+  std::vector<std::size_t> number_;
+  std::map<std::pair<float, float>, std::size_t> textures_;
+};
+
+std::string material_text(const std::map<FaceMaterial, std::size_t>& materials) {
+  std::string text;
+  for (const auto& [material, number] : materials) {
+    text += "newmtl material_" + std::to_string(number) + "\nKd";
+    for (int k = 0; k < 3; ++k) append_number(text += ' ', static_cast<float>(material.color[k]) / 255);
+    append_number(text += "\nTr ", static_cast<float>(material.color[3]) / 255);  // the opacity, as in MeshLab
+    text += '\n';
+    if (!material.texture.empty()) text += "map_Kd " + material.texture + "\n";
+  }
+  return text;
+}
+
+template <class AnyMesh>
+bool write(const AnyMesh& mesh, int attributes, const std::filesystem::path& path, Companion& companion) {
+  ObjText<AnyMesh> obj(mesh, attributes);
+  if (!write_bytes(obj.text(companion.name), path)) return false;
+  if (obj.materials.empty()) return true;
+  companion.written = true;
+  return write_bytes(material_text(obj.materials), companion.path);
+}
+
+}  // namespace
+
+MeshFile read_obj(const std::filesystem::path& path) { return ObjReader(read_bytes(path), path).read(); }
+
+bool write_obj(const MeshFile& file, const std::filesystem::path& path, Companion& companion) {
+  if (file.precision == Precision::double_precision) return write(file.mesh, file.attributes, path, companion);
+  MeshF single;
+  convert(file.mesh, single);
+  return write(single, file.attributes, path, companion);
+}
+
+}  // namespace mesh_tools::io

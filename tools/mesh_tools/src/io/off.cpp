@@ -1,0 +1,168 @@
+// Geomview's OFF, with the prefixes N (normals) and C (colours).
+
+#include <vcg/complex/algorithms/update/bounding.h>
+
+#include "formats.h"
+#include "text.h"
+
+namespace mesh_tools::io {
+namespace {
+
+using Words = std::vector<std::string_view>;
+using Allocator = vcg::tri::Allocator<Mesh>;
+
+/// The header's words, counts and prefixes.
+struct Header {
+  bool normals = false, colors = false, texture = false;
+  std::int64_t vertices = 0, faces = 0;
+};
+
+Header read_header(LineReader& reader) {
+  Words words;
+  if (!reader.next(words)) reader.fail("holds no OFF header");
+  std::string_view keyword = words[0];
+  if (keyword.size() < 3 || keyword.substr(keyword.size() - 3) != "OFF")
+    reader.fail("the file must begin with the word OFF, CNOFF, COFF or NOFF");
+  Header header;
+  for (std::string_view prefix = keyword.substr(0, keyword.size() - 3); !prefix.empty();) {
+    if (prefix.substr(0, 2) == "ST") {
+      header.texture = true;
+      prefix.remove_prefix(2);
+      continue;
+    }
+    if (prefix[0] == 'C')
+      header.colors = true;
+    else if (prefix[0] == 'N')
+      header.normals = true;
+    else
+      reader.fail("header '" + std::string(keyword) + "' is not supported; allowed prefixes are ST, C and N");
+    prefix.remove_prefix(1);
+  }
+  words.erase(words.begin());
+  if (words.size() == 1 && words[0] == "BINARY") reader.fail("binary OFF is not supported; text is");
+  if (words.empty() && !reader.next(words)) reader.fail("the counts of vertices and faces are missing");
+  if (words.size() < 2) reader.fail("the counts of vertices and faces are missing");
+  header.vertices = reader.integer(words[0]);
+  header.faces = reader.integer(words[1]);
+  if (header.vertices < 0 || header.faces < 0) reader.fail("a count is negative");
+  return header;
+}
+
+/// 3 or 4 components, whole numbers 0..255 or fractions 0..1.
+vcg::Color4b read_color(const LineReader& reader, const Words& words, std::size_t first) {
+  bool fractions = false;
+  for (std::size_t i = first; i < words.size(); ++i) fractions |= words[i].find('.') != std::string_view::npos;
+  vcg::Color4b color(255, 255, 255, 255);
+  for (std::size_t i = first; i < words.size(); ++i) {
+    const double value = reader.number(words[i]) * (fractions ? 255 : 1);
+    if (!(value >= 0 && value <= 255)) reader.fail("'" + std::string(words[i]) + "' is not a colour component");
+    color[static_cast<int>(i - first)] = static_cast<unsigned char>(value + 0.5);
+  }
+  return color;
+}
+
+bool is_color(std::size_t words) { return words == 3 || words == 4; }
+
+}  // namespace
+
+MeshFile read_off(const std::filesystem::path& path) {
+  const std::string text = read_bytes(path);
+  LineReader reader(text, path);
+  const Header header = read_header(reader);
+  // A vertex takes at least six bytes and a face as many, so that wrong counts cannot ask for absurd memory.
+  if (static_cast<std::size_t>(header.vertices) > text.size() || static_cast<std::size_t>(header.faces) > text.size())
+    reader.fail("the counts of vertices and faces exceed the file");
+  MeshFile file;
+  Mesh& mesh = file.mesh;
+  if (header.normals) file.attributes |= vertex_normal;
+  if (header.vertices > 0) Allocator::AddVertices(mesh, header.vertices);
+  Words words;
+  const std::size_t fixed = 3 + (header.normals ? 3 : 0), texture = header.texture ? 2 : 0;
+  for (auto& vertex : mesh.vert) {
+    if (!reader.next(words)) reader.fail("the file ends before its " + std::to_string(header.vertices) + " vertices");
+    if (words.size() < fixed + texture) reader.fail("a vertex has too few numbers");
+    for (int k = 0; k < 3; ++k) {
+      vertex.P()[k] = reader.number(words[k]);
+      if (header.normals) vertex.N()[k] = reader.number(words[3 + k]);
+    }
+    words.resize(words.size() - texture);
+    if (header.colors && is_color(words.size() - fixed)) {
+      vertex.C() = read_color(reader, words, fixed);
+      file.attributes |= vertex_color;
+    }
+  }
+  for (std::int64_t f = 0; f < header.faces; ++f) {
+    if (!reader.next(words)) reader.fail("the file ends before its " + std::to_string(header.faces) + " faces");
+    const std::int64_t corners = reader.integer(words[0]);
+    if (corners < 3) reader.fail("a face has " + std::to_string(corners) + " corners; at least 3 are needed");
+    const std::size_t end = static_cast<std::size_t>(corners) + 1;
+    if (words.size() < end) reader.fail("a face has fewer vertices than it says");
+    std::vector<std::int64_t> index;
+    for (std::size_t k = 1; k < end; ++k) {
+      index.push_back(reader.integer(words[k]));
+      if (index.back() < 0 || index.back() >= header.vertices)
+        reader.fail("a face refers to vertex " + std::string(words[k]) + "; allowed are 0 to " +
+                    std::to_string(header.vertices - 1));
+    }
+    const bool colored = is_color(words.size() - end);
+    const vcg::Color4b color = colored ? read_color(reader, words, end) : vcg::Color4b(255, 255, 255, 255);
+    if (colored) file.attributes |= face_color;
+    for (std::size_t k = 2; k < index.size(); ++k) {
+      auto face = Allocator::AddFace(mesh, static_cast<std::size_t>(index[0]), static_cast<std::size_t>(index[k - 1]),
+                                     static_cast<std::size_t>(index[k]));
+      face->C() = color;
+    }
+  }
+  if (header.texture) file.warnings.push_back(path.string() + ": texture coordinates are not kept");
+  vcg::tri::UpdateBounding<Mesh>::Box(mesh);
+  return file;
+}
+
+namespace {
+
+template <class AnyMesh>
+std::string off_text(const AnyMesh& mesh, int attributes) {
+  const bool normals = attributes & vertex_normal, colors = attributes & vertex_color;
+  const bool face_colors = attributes & face_color;
+  std::string text = std::string(colors ? "C" : "") + (normals ? "N" : "") + "OFF\n" + std::to_string(mesh.vn) + " " +
+                     std::to_string(mesh.fn) + " 0\n";
+  std::vector<std::size_t> number(mesh.vert.size());
+  std::size_t count = 0;
+  const auto append_color = [&](const vcg::Color4b& color) {
+    for (int k = 0; k < 4; ++k) text.append(" ").append(std::to_string(color[k]));
+  };
+  const auto append_point = [&](const auto& p) {
+    for (int k = 0; k < 3; ++k) {
+      if (k > 0) text += ' ';
+      append_number(text, p[k]);
+    }
+  };
+  for (std::size_t i = 0; i < mesh.vert.size(); ++i) {
+    const auto& vertex = mesh.vert[i];
+    if (vertex.IsD()) continue;
+    number[i] = count++;
+    append_point(vertex.cP());
+    if (normals) append_point((text += ' ', vertex.cN()));
+    if (colors) append_color(vertex.cC());
+    text += '\n';
+  }
+  for (const auto& face : mesh.face) {
+    if (face.IsD()) continue;
+    text += '3';
+    for (int k = 0; k < 3; ++k) text.append(" ").append(std::to_string(number[vcg::tri::Index(mesh, face.cV(k))]));
+    if (face_colors) append_color(face.cC());
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+bool write_off(const MeshFile& file, const std::filesystem::path& path) {
+  if (file.precision == Precision::double_precision) return write_bytes(off_text(file.mesh, file.attributes), path);
+  MeshF single;
+  convert(file.mesh, single);
+  return write_bytes(off_text(single, file.attributes), path);
+}
+
+}  // namespace mesh_tools::io

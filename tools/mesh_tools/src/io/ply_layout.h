@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace mesh_tools::io {
+
+/// What a PLY file declares.
+struct PlyLayout {
+  enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+  enum class Format { ascii, little_endian, big_endian };
+  struct Property {
+    std::string name;
+    Type type;
+    bool is_list = false;
+    Type count_type = Type::uint8;
+  };
+  struct Element {
+    std::string name;
+    std::size_t count;
+    std::vector<Property> properties;
+
+    const Property* find(const std::string& property) const;
+  };
+
+  Format format = Format::ascii;
+  std::vector<Element> elements;
+  std::vector<std::string> comments;
+  std::size_t data_offset = 0;
+  std::size_t header_lines = 0;
+
+  const Element* find(const std::string& element) const;
+};
+
+/// Reads the header and throws FileError where it is not one.
+PlyLayout parse_ply_header(const std::string& bytes, const std::filesystem::path& path);
+
+/// Walks over all data and throws FileError where it ends too early, or holds lists that would overrun the fixed
+/// buffers of vcglib's reader.
+void check_ply_data(const std::string& bytes, const PlyLayout& layout, const std::filesystem::path& path);
+
+}  // namespace mesh_tools::io
