@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace test_support {
 
@@ -48,7 +47,7 @@ double naive_virtual_start(const Point& apex, const Point& v_1, double d_1, cons
   return (apex - v_s).Norm();      // figure 3
 }
 
-std::vector<double> naive_geodesics(const FlatMesh& mesh, std::size_t source, double gain) {
+std::vector<double> naive_geodesics(const FlatMesh& mesh, std::size_t source, double gain, double reach) {
   std::vector<double> distance(mesh.points.size(), std::numeric_limits<double>::infinity());
   distance[source] = 0;
   bool improved = true;
@@ -66,9 +65,11 @@ std::vector<double> naive_geodesics(const FlatMesh& mesh, std::size_t source, do
         const std::size_t a = f[(k + 1) % 3];
         const std::size_t b = f[(k + 2) % 3];
         const Point* p = mesh.points.data();
-        if (std::isfinite(distance[a])) offer(apex, distance[a] + (p[apex] - p[a]).Norm());
-        if (std::isfinite(distance[b])) offer(apex, distance[b] + (p[apex] - p[b]).Norm());
-        if (std::isfinite(distance[a]) && std::isfinite(distance[b]))
+        const bool a_known = std::isfinite(distance[a]) && distance[a] <= reach;
+        const bool b_known = std::isfinite(distance[b]) && distance[b] <= reach;
+        if (a_known) offer(apex, distance[a] + (p[apex] - p[a]).Norm());
+        if (b_known) offer(apex, distance[b] + (p[apex] - p[b]).Norm());
+        if (a_known && b_known)
           offer(apex, naive_virtual_start(p[apex], p[a], distance[a], p[b], distance[b]));
       }
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include <support/flat_mesh.h>
@@ -14,6 +15,8 @@ double naive_virtual_start(const Point& apex, const Point& v_1, double d_1, cons
 /// Distances from `source` along edges and by the three-case rule: all faces are swept again and again until none
 /// improves a vertex by more than `gain` (a length). Infinity where nothing leads. Slow, and independent of the
 /// library's fast marching, its order of work and its cut-off.
-std::vector<double> naive_geodesics(const FlatMesh& mesh, std::size_t source, double gain);
+/// @param reach  vertices farther than this pass nothing on, which saves time on large meshes
+std::vector<double> naive_geodesics(const FlatMesh& mesh, std::size_t source, double gain,
+                                    double reach = std::numeric_limits<double>::infinity());
 
 }  // namespace test_support

@@ -55,12 +55,15 @@ double printed_gaussian(double x, double sigma) { return std::exp(-x * x / (sigm
 
 }  // namespace
 
-NaiveReference::NaiveReference(const FlatMesh& mesh)
-    : mesh_(mesh),
-      e_(test_support::average_edge_length(mesh)), normal_(vertex_normals(mesh)),
-      border_(border_vertices(mesh)) {}
+NaiveReference::NaiveReference(const FlatMesh& mesh, double reach)
+    : NaiveReference(mesh, reach, test_support::average_edge_length(mesh)) {}
 
-std::vector<double> NaiveReference::distances(std::size_t i) const { return naive_geodesics(mesh_, i, 1e-12 * e_); }
+NaiveReference::NaiveReference(const FlatMesh& mesh, double reach, double e)
+    : mesh_(mesh), e_(e), reach_(reach * e), normal_(vertex_normals(mesh)), border_(border_vertices(mesh)) {}
+
+std::vector<double> NaiveReference::distances(std::size_t i) const {
+  return naive_geodesics(mesh_, i, 1e-12 * e_, reach_);
+}
 
 NaiveVertex NaiveReference::smooth(std::size_t i, const vcg_core::SmoothingParameters& parameters) const {
   const double sigma_c = parameters.sigma_c * e_;
@@ -95,9 +98,10 @@ NaiveVertex NaiveReference::smooth(std::size_t i, const vcg_core::SmoothingParam
 }
 
 FlatMesh naive_smooth(FlatMesh mesh, const vcg_core::SmoothingParameters& parameters, int passes) {
+  const double e = average_edge_length(mesh);
   for (int pass = 0; pass < passes; ++pass) {
     const FlatMesh before = mesh;
-    const NaiveReference reference(before);
+    const NaiveReference reference(before, std::numeric_limits<double>::infinity(), e);
     for (std::size_t i = 0; i < mesh.points.size(); ++i) mesh.points[i] = reference.smooth(i, parameters).position;
   }
   return mesh;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include <support/flat_mesh.h>
@@ -20,7 +21,10 @@ struct NaiveVertex {
 /// mesh. One pass.
 class NaiveReference {
  public:
-  explicit NaiveReference(const FlatMesh& mesh);
+  /// @param reach  as in naive_geodesics, in |e|
+  /// @param e      |e|, if it is not to be this mesh's own
+  explicit NaiveReference(const FlatMesh& mesh, double reach = std::numeric_limits<double>::infinity());
+  NaiveReference(const FlatMesh& mesh, double reach, double e);
 
   const Point& normal(std::size_t i) const { return normal_[i]; }
   double average_edge_length() const { return e_; }
@@ -35,11 +39,12 @@ class NaiveReference {
  private:
   const FlatMesh& mesh_;
   double e_;
+  double reach_;
   std::vector<Point> normal_;  ///< of unit length, or zero where undefined
   std::vector<bool> border_;
 };
 
-/// `passes` passes of the reference over the whole mesh.
+/// `passes` passes of the reference over the whole mesh. All lengths stay multiples of the given mesh's |e|.
 FlatMesh naive_smooth(FlatMesh mesh, const vcg_core::SmoothingParameters& parameters, int passes);
 
 }  // namespace test_support

@@ -12,6 +12,8 @@ const std::vector<SmoothingPath>& smoothing_paths() {
   return paths;
 }
 
+std::string name_of_path(const testing::TestParamInfo<SmoothingPath>& info) { return info.param.name; }
+
 std::ostream& operator<<(std::ostream& out, const SmoothingPath& path) { return out << path.name; }
 
 }  // namespace test_support

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include <vcg_core/smoothing_parameters.h>
 
 namespace test_support {
@@ -31,7 +33,10 @@ struct SmoothingPath {
 /// All ways. Tests of the filter go over each.
 const std::vector<SmoothingPath>& smoothing_paths();
 
-/// For GoogleTest's names and messages.
+/// The way's name as the name of an instance of a test.
+std::string name_of_path(const testing::TestParamInfo<SmoothingPath>& info);
+
+/// For GoogleTest's messages.
 std::ostream& operator<<(std::ostream& out, const SmoothingPath& path);
 
 }  // namespace test_support
