@@ -25,6 +25,11 @@ class WriteInterrupted : public std::runtime_error {
 /// How many digits the file holds. Text formats declare none and count as double.
 enum class Precision { single_precision, double_precision };
 
+/// Bits of MeshFile::attributes that programs ask for or set; the values are vcg::tri::io::Mask's.
+constexpr int normal_attributes = 0x10 | 0x400;  // of vertices, of faces
+constexpr int vertex_quality_attribute = 0x8;
+constexpr int vertex_color_attribute = 0x4;
+
 /// What belongs to a file besides the positions and the faces.
 struct MeshFile {
   Mesh mesh;
@@ -51,6 +56,9 @@ std::vector<std::string> write_mesh(const MeshFile& file, const std::filesystem:
 /// Throws FileError unless a mesh can be written to `path`: known extension, existing folder, nothing but a regular
 /// file in its place. Cheap: to be asked before long work.
 void check_writable(const std::filesystem::path& path);
+
+/// The same for a text file, whatever its extension.
+void check_text_writable(const std::filesystem::path& path);
 
 /// Writes a text file in the same way: complete or not at all.
 void write_text(const std::string& text, const std::filesystem::path& path);

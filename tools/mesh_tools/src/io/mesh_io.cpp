@@ -149,6 +149,8 @@ void check_writable(const fs::path& path) {
   check_place(path);
 }
 
+void check_text_writable(const fs::path& path) { check_place(path); }
+
 MeshFile read_mesh(const fs::path& path) {
   check_extension(path);
   std::error_code error;

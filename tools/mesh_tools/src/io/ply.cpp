@@ -124,6 +124,11 @@ int import(AnyMesh& mesh, const PlyLayout& layout, const std::filesystem::path& 
     fail(path, face && mesh.face.empty()
                    ? std::string("the type of its faces' 'vertex_indices' is not supported; use list uchar int")
                    : std::string("was not read to its end"));
+  // Flags come from the file; none of its elements is deleted.
+  for (auto& element : mesh.vert) element.ClearD();
+  for (auto& element : mesh.face) element.ClearD();
+  mesh.vn = static_cast<int>(mesh.vert.size());
+  mesh.fn = static_cast<int>(mesh.face.size());
   return mask;
 }
 

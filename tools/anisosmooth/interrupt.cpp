@@ -1,0 +1,32 @@
+#include "interrupt.h"
+
+#include <unistd.h>
+
+#include <csignal>
+
+#include "command.h"
+
+namespace anisosmooth {
+namespace {
+
+volatile std::sig_atomic_t was_interrupted = 0;
+volatile std::sig_atomic_t cooperative = 0;
+
+extern "C" void on_interrupt(int) {
+  if (!cooperative) _exit(interrupted_status);
+  was_interrupted = 1;
+}
+
+}  // namespace
+
+void handle_interrupts() {
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+}
+
+bool interrupted() { return was_interrupted != 0; }
+
+CooperativeInterrupt::CooperativeInterrupt() { cooperative = cooperative + 1; }
+CooperativeInterrupt::~CooperativeInterrupt() { cooperative = cooperative - 1; }
+
+}  // namespace anisosmooth

@@ -1,0 +1,20 @@
+#pragma once
+
+namespace anisosmooth {
+
+/// From here on SIGINT and SIGTERM end the program with status 130: at once, or, while a CooperativeInterrupt lives,
+/// when the program next asks interrupted().
+void handle_interrupts();
+
+bool interrupted();
+
+/// Marks a stretch of work that has something to tidy up and asks interrupted() often.
+class CooperativeInterrupt {
+ public:
+  CooperativeInterrupt();
+  ~CooperativeInterrupt();
+  CooperativeInterrupt(const CooperativeInterrupt&) = delete;
+  CooperativeInterrupt& operator=(const CooperativeInterrupt&) = delete;
+};
+
+}  // namespace anisosmooth

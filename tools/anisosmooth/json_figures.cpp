@@ -1,0 +1,70 @@
+#include "json_figures.h"
+
+namespace anisosmooth {
+
+using nlohmann::ordered_json;
+
+ordered_json to_json(const vcg_core::SmoothingReport& report) {
+  return {{"average_edge_length", report.average_edge_length},
+          {"sigma_c_length", report.sigma_c_length},
+          {"sigma_s_length", report.sigma_s_length},
+          {"rho_length", report.rho_length},
+          {"vertices", report.vertices},
+          {"moved_vertices", report.moved_vertices},
+          {"fixed_vertices", report.fixed_vertices},
+          {"skipped_vertices",
+           {{"isolated", report.skipped_vertices.isolated},
+            {"undefined_normal", report.skipped_vertices.undefined_normal},
+            {"empty_neighbourhood", report.skipped_vertices.empty_neighbourhood}}},
+          {"max_displacement", report.max_displacement},
+          {"rms_displacement", report.rms_displacement},
+          {"volume_before", report.volume_before},
+          {"volume_after", report.volume_after},
+          {"border_vertices", report.border_vertices},
+          {"non_manifold_vertices", report.non_manifold_vertices},
+          {"coincident_vertices", report.coincident_vertices},
+          {"degenerate_faces", report.degenerate_faces},
+          {"warnings", report.warnings()}};
+}
+
+ordered_json to_json(const vcg_core::MethodInfo& method, const vcg_core::SmoothingParameters& parameters) {
+  ordered_json json = ordered_json::object();
+  const auto add = [&](const char* name, const auto& value) {
+    if (method.uses(name)) json[name] = value;
+  };
+  add("sigma_c", parameters.sigma_c);
+  add("sigma_s", parameters.sigma_s);
+  add("sigma_n", parameters.sigma_n);
+  add("rho", parameters.rho);
+  add("iterations", parameters.iterations);
+  add("gaussian", parameters.gaussian == vcg_core::GaussianForm::printed ? "printed" : "standard_deviation");
+  json["boundary"] = parameters.boundary == vcg_core::Boundary::free ? "free" : "fixed";
+  json["selected"] = parameters.selected_only;
+  return json;
+}
+
+ordered_json to_json(const mesh_tools::Measurement& figures) {
+  ordered_json json = {{"vertices", figures.vertices},
+                       {"faces", figures.faces},
+                       {"average_edge_length", figures.average_edge_length},
+                       {"normal_error_mean", figures.normal_error.mean},
+                       {"normal_error_median", figures.normal_error.median},
+                       {"normal_error_percentile_95", figures.normal_error.percentile_95},
+                       {"sharp_faces", figures.sharp_normal_error.faces},
+                       {"sharp_normal_error_mean", figures.sharp_normal_error.mean},
+                       {"sharp_normal_error_median", figures.sharp_normal_error.median},
+                       {"sharp_normal_error_percentile_95", figures.sharp_normal_error.percentile_95},
+                       {"distance_rms", figures.distance_rms},
+                       {"distance_max", figures.distance_max},
+                       {"reverse_distance_rms", figures.reverse_distance_rms},
+                       {"reverse_distance_max", figures.reverse_distance_max},
+                       {"volume_change_percent", nullptr},
+                       {"flipped_faces", figures.flipped_faces},
+                       {"degenerate_faces", figures.degenerate_faces},
+                       {"true_tangential_drift", figures.true_tangential_drift}};
+  if (figures.volume_change_percent) json["volume_change_percent"] = *figures.volume_change_percent;
+  if (figures.tangential_drift) json["tangential_drift"] = *figures.tangential_drift;
+  return json;
+}
+
+}  // namespace anisosmooth

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <mesh_tools/measure.h>
+#include <vcg_core/method.h>
+#include <vcg_core/smoothing_report.h>
+
+namespace anisosmooth {
+
+/// JSON with the names of the contract, in its order.
+nlohmann::ordered_json to_json(const vcg_core::SmoothingReport& report);
+nlohmann::ordered_json to_json(const mesh_tools::Measurement& figures);
+
+/// The parameters that a method obeys, by name.
+nlohmann::ordered_json to_json(const vcg_core::MethodInfo& method, const vcg_core::SmoothingParameters& parameters);
+
+}  // namespace anisosmooth

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include <mesh_tools/mesh_io.h>
+
+#include "command.h"
+#include "interrupt.h"
+
+namespace anisosmooth {
+
+/// Writes the mesh, complete or not at all, also when the user interrupts meanwhile; prints warnings.
+inline void write_output(const mesh_tools::MeshFile& file, const std::string& path) {
+  const CooperativeInterrupt scope;
+  print_warnings(mesh_tools::write_mesh(file, path, interrupted));
+}
+
+/// Reads a mesh and prints warnings.
+inline mesh_tools::MeshFile read_input(const std::string& path) {
+  mesh_tools::MeshFile file = mesh_tools::read_mesh(path);
+  print_warnings(file.warnings);
+  return file;
+}
+
+}  // namespace anisosmooth

@@ -1,0 +1,112 @@
+#include "closest_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace mesh_tools {
+namespace {
+
+constexpr int leaf_size = 4;
+
+double squared_distance_to_segment(const vcg::Point3d& p, const vcg::Point3d& a, const vcg::Point3d& b) {
+  const vcg::Point3d edge = b - a;
+  const double length = edge.SquaredNorm();
+  const double t = length > 0 ? std::clamp(((p - a) * edge) / length, 0.0, 1.0) : 0.0;
+  return (p - (a + edge * t)).SquaredNorm();
+}
+
+double squared_distance_to_box(const vcg::Point3d& p, const vcg::Point3d& low, const vcg::Point3d& high) {
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double outside = std::max({low[k] - p[k], 0.0, p[k] - high[k]});
+    sum += outside * outside;
+  }
+  return sum;
+}
+
+}  // namespace
+
+double squared_distance_to_triangle(const vcg::Point3d& p, const std::array<vcg::Point3d, 3>& t) {
+  const vcg::Point3d normal = (t[1] - t[0]) ^ (t[2] - t[0]);
+  const double area = normal.SquaredNorm();
+  bool above = area > 0;  // the foot of the perpendicular lies within
+  for (int k = 0; k < 3 && above; ++k) above = (normal ^ (t[(k + 1) % 3] - t[k])) * (p - t[k]) >= 0;
+  if (above) {
+    const double height = normal * (p - t[0]);
+    return height * height / area;
+  }
+  return std::min({squared_distance_to_segment(p, t[0], t[1]), squared_distance_to_segment(p, t[1], t[2]),
+                   squared_distance_to_segment(p, t[2], t[0])});
+}
+
+SurfaceDistance::SurfaceDistance(const Mesh& mesh) {
+  std::vector<vcg::Point3d> centres;
+  for (const auto& face : mesh.face) {
+    if (face.IsD()) continue;
+    triangles_.push_back({face.cP(0), face.cP(1), face.cP(2)});
+    centres.push_back((face.cP(0) + face.cP(1) + face.cP(2)) / 3);
+  }
+  std::vector<int> order(triangles_.size());
+  std::iota(order.begin(), order.end(), 0);
+  nodes_.reserve(triangles_.size());
+  nodes_.emplace_back();
+  build(0, 0, static_cast<int>(order.size()), centres, order);
+  std::vector<Triangle> sorted;
+  sorted.reserve(triangles_.size());
+  for (int i : order) sorted.push_back(triangles_[i]);
+  triangles_ = std::move(sorted);
+}
+
+void SurfaceDistance::build(int node, int first, int last, std::vector<vcg::Point3d>& centres,
+                            std::vector<int>& order) {
+  vcg::Box3d box, centre_box;
+  for (int i = first; i < last; ++i) {
+    for (const vcg::Point3d& p : triangles_[order[i]]) box.Add(p);
+    centre_box.Add(centres[order[i]]);
+  }
+  nodes_[node].low = box.min;
+  nodes_[node].high = box.max;
+  if (last - first <= leaf_size) {
+    nodes_[node].first = first;
+    nodes_[node].count = last - first;
+    return;
+  }
+  const int axis = centre_box.MaxDim();
+  const int middle = first + (last - first) / 2;
+  std::nth_element(order.begin() + first, order.begin() + middle, order.begin() + last,
+                   [&](int a, int b) { return centres[a][axis] < centres[b][axis]; });
+  const int children = static_cast<int>(nodes_.size());
+  nodes_[node].first = children;
+  nodes_[node].count = 0;
+  nodes_.resize(nodes_.size() + 2);
+  build(children, first, middle, centres, order);
+  build(children + 1, middle, last, centres, order);
+}
+
+double SurfaceDistance::operator()(const vcg::Point3d& point, double bound) const {
+  struct Visit {
+    int node;
+    double squared_distance;
+  };
+  double best = bound * bound;
+  std::array<Visit, 128> stack;  // the tree is balanced: its depth is at most 31
+  std::size_t depth = 0;
+  stack[depth++] = {0, squared_distance_to_box(point, nodes_[0].low, nodes_[0].high)};
+  while (depth > 0) {
+    const Visit visit = stack[--depth];
+    if (visit.squared_distance >= best) continue;
+    const Node& node = nodes_[visit.node];
+    for (int i = 0; i < node.count; ++i)
+      best = std::min(best, squared_distance_to_triangle(point, triangles_[node.first + i]));
+    if (node.count > 0) continue;
+    Visit near{node.first, squared_distance_to_box(point, nodes_[node.first].low, nodes_[node.first].high)};
+    Visit far{node.first + 1, squared_distance_to_box(point, nodes_[node.first + 1].low, nodes_[node.first + 1].high)};
+    if (far.squared_distance < near.squared_distance) std::swap(near, far);
+    stack[depth++] = far;
+    stack[depth++] = near;
+  }
+  return std::sqrt(best);
+}
+
+}  // namespace mesh_tools
