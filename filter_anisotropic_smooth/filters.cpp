@@ -1,7 +1,9 @@
 #include "filters.h"
 
 #include "anisotropic_smoothing.h"
+#include "bilateral_denoising.h"
 #include "geodesic_distance.h"
+#include "non_iterative_smoothing.h"
 
 namespace meshlab_plugin {
 
@@ -9,6 +11,8 @@ std::vector<std::unique_ptr<Filter>> make_filters() {
   std::vector<std::unique_ptr<Filter>> filters;
   filters.push_back(std::make_unique<AnisotropicSmoothing>());
   filters.push_back(std::make_unique<GeodesicDistance>());
+  filters.push_back(std::make_unique<BilateralDenoising>());
+  filters.push_back(std::make_unique<NonIterativeSmoothing>());
   return filters;
 }
 

@@ -39,6 +39,7 @@ Report to_map(const SmoothingReport& report) {
           {"skipped_vertices", count(report.skipped_vertices.total())},
           {"skipped_vertices_isolated", count(report.skipped_vertices.isolated)},
           {"skipped_vertices_undefined_normal", count(report.skipped_vertices.undefined_normal)},
+          {"skipped_vertices_empty_neighbourhood", count(report.skipped_vertices.empty_neighbourhood)},
           {"max_displacement", report.max_displacement},
           {"rms_displacement", report.rms_displacement},
           {"volume_before", report.volume_before},
