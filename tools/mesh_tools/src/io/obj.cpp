@@ -107,8 +107,9 @@ class ObjReader {
     Corner corner{index(word.substr(0, first), positions_.size(), "vertex"), -1, -1};
     if (first == word.npos) return corner;
     const std::string_view texture = word.substr(first + 1, second == word.npos ? word.npos : second - first - 1);
-    if (!texture.empty()) corner.texture = index(texture, textures_.size(), "texture coordinate");
-    if (second != word.npos && second + 1 < word.size())
+    // Files from which all texture coordinates or normals were removed are common, and faces refer to them still.
+    if (!texture.empty() && !textures_.empty()) corner.texture = index(texture, textures_.size(), "texture coordinate");
+    if (second != word.npos && second + 1 < word.size() && !normals_.empty())
       corner.normal = index(word.substr(second + 1), normals_.size(), "vertex normal");
     return corner;
   }
