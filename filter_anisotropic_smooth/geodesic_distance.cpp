@@ -21,9 +21,9 @@ std::size_t read_start_vertex(const MeshModel& mesh, const RichParameterList& va
   const int start = values.getInt(start_vertex_name);
   const std::size_t size = mesh.cm.vert.size();
   if (start < 0 || static_cast<std::size_t>(start) >= size) {
-    throw vcg_core::InvalidParameter(std::string(start_vertex_name) + " is " + std::to_string(start) + "; it must be " +
-                                     (size == 0 ? "a vertex, and the mesh has none"
-                                                : "from 0 to " + std::to_string(size - 1)));
+    throw vcg_core::InvalidParameter(
+        std::string(start_vertex_name) + " is " + std::to_string(start) + "; it must be " +
+        (size == 0 ? "a vertex, and the mesh has none" : "from 0 to " + std::to_string(size - 1)));
   }
   return static_cast<std::size_t>(start);
 }
@@ -47,10 +47,10 @@ QString GeodesicDistance::python_name() const { return QStringLiteral("compute_s
 
 QString GeodesicDistance::help() const {
   return QStringLiteral(
-      "Computes how far each vertex is from a start vertex, measured along the surface, and stores it as vertex quality."
-      " Use it to measure along a scan, to see whether parts are connected, or to check the distances that"
-      " <i>Anisotropic Feature-Preserving Smoothing</i> works with. Vertices are coloured from red (near) to blue (far),"
-      " with dark lines of equal distance.<br>"
+      "Computes how far each vertex is from a start vertex, measured along the surface, and stores it as vertex"
+      " quality. Use it to measure along a scan, to see whether parts are connected, or to check the distances that"
+      " <i>Anisotropic Feature-Preserving Smoothing</i> works with. Vertices are coloured from red (near) to blue"
+      " (far), with dark lines of equal distance.<br>"
       "Vertices that no path of faces reaches get quality -1 and turn grey; the log counts them.<br>"
       "Distances are found by fast marching with a virtual start point in double precision: exact on a plane up to"
       " rounding, and a good approximation on curved surfaces.<br>"

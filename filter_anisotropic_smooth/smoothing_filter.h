@@ -13,9 +13,7 @@ class SmoothingFilter : public Filter {
   SmoothingFilter(vcg_core::Method method, Knobs knobs) : method_(method), knobs_(std::move(knobs)) {}
 
   int categories() const override { return HostInterface::Smoothing; }
-  int changes() const override {
-    return MeshModel::MM_VERTCOORD | MeshModel::MM_VERTNORMAL | MeshModel::MM_FACENORMAL;
-  }
+  int changes() const override { return MeshModel::MM_VERTCOORD | MeshModel::MM_VERTNORMAL | MeshModel::MM_FACENORMAL; }
   RichParameterList parameters(const MeshModel* mesh) const override { return to_list(knobs_, mesh); }
   Report apply(MeshModel& mesh, const RichParameterList& values, const Session& session) const override;
 

@@ -32,8 +32,8 @@ void read_iterations(const Knob& knob, const RichParameterList& values, Smoothin
 
 void add_boundary(const Knob& knob, const MeshModel* /*mesh*/, RichParameterList& list) {
   const QStringList choices{QStringLiteral("fixed"), QStringLiteral("free")};
-  list.addParam(RichEnum(knob.name, static_cast<int>(SmoothingParameters{}.boundary), choices, knob.label,
-                         knob.tooltip));
+  list.addParam(
+      RichEnum(knob.name, static_cast<int>(SmoothingParameters{}.boundary), choices, knob.label, knob.tooltip));
 }
 
 void read_boundary(const Knob& knob, const RichParameterList& values, SmoothingParameters& parameters) {
@@ -68,35 +68,31 @@ void read_selected(const Knob& knob, const RichParameterList& values, SmoothingP
 
 namespace knobs {
 
-const Knob sigma_c{"sigma_c",
-                   "Closeness (sigma_c), in average edge lengths",
+const Knob sigma_c{"sigma_c", "Closeness (sigma_c), in average edge lengths",
                    "Standard deviation of the closeness weight. Higher: vertices from farther away take part, so larger"
                    " bumps are smoothed, thin details get lost, and time grows with the square. Above 0; the paper uses"
                    " 2 to 6. Unit: the mesh's average edge length.",
                    add_number<&SmoothingParameters::sigma_c>, read_number<&SmoothingParameters::sigma_c>};
 
-const Knob sigma_s{"sigma_s",
-                   "Noise height (sigma_s), in average edge lengths",
+const Knob sigma_s{"sigma_s", "Noise height (sigma_s), in average edge lengths",
                    "Standard deviation of the similarity weight: heights above the tangent plane up to about this count"
                    " as noise. Higher: stronger noise goes, and shallow features with it. Above 0; the paper uses 0.5"
                    " to 2. Unit: the mesh's average edge length.",
                    add_number<&SmoothingParameters::sigma_s>, read_number<&SmoothingParameters::sigma_s>};
 
-const Knob sigma_n{"sigma_n",
-                   "Edge tolerance (sigma_n)",
-                   "Standard deviation of the normal weight, whose argument is 1 - cosine of the angle between two"
-                   " normals. Higher: the surface is smoothed across steeper edges; lower: more edges are kept, and more"
-                   " noise. Above 0; the paper uses 0.1 to 0.3. No unit.",
-                   add_number<&SmoothingParameters::sigma_n>, read_number<&SmoothingParameters::sigma_n>};
+const Knob sigma_n{
+    "sigma_n", "Edge tolerance (sigma_n)",
+    "Standard deviation of the normal weight, whose argument is 1 - cosine of the angle between two"
+    " normals. Higher: the surface is smoothed across steeper edges; lower: more edges are kept, and more"
+    " noise. Above 0; the paper uses 0.1 to 0.3. No unit.",
+    add_number<&SmoothingParameters::sigma_n>, read_number<&SmoothingParameters::sigma_n>};
 
-const Knob rho{"rho",
-               "Cut-off distance (rho), in sigma_c",
+const Knob rho{"rho", "Cut-off distance (rho), in sigma_c",
                "Geodesic radius of the neighbourhood. Higher: more vertices of little weight take part, and time grows"
                " with the square. Above 0; the paper uses 2. Unit: sigma_c.",
                add_number<&SmoothingParameters::rho>, read_number<&SmoothingParameters::rho>};
 
-const Knob iterations{"iterations",
-                      "Passes",
+const Knob iterations{"iterations", "Passes",
                       "How often the filter is applied. Higher: smoother, and edges get rounder. 1 or more; the paper"
                       " needs one, noise above 0.3 average edge lengths may want two.",
                       add_iterations, read_iterations};

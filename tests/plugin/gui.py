@@ -1,0 +1,132 @@
+"""Drives MeshLab's window on a virtual display by keys, as a person without a mouse would. Every wait is for something
+that can be seen: a window, a line of the log."""
+
+import re
+import subprocess
+import time
+
+WAIT = 30  # seconds; reached only when something is wrong
+
+
+class Gui:
+    def __init__(self, meshlab, display, mesh, folder):
+        self.folder = folder
+        self.environment = meshlab.environment(display.name)
+        self.log_path = folder / "meshlab.log"
+        self.pictures = 0
+        self.manager = self._start("openbox")
+        self._wait(lambda: "WINDOW" in self._output("xprop", "-root", "_NET_SUPPORTING_WM_CHECK"), "window manager")
+        with open(self.log_path, "w", encoding="utf-8") as log:
+            self.process = self._start(meshlab.prefix / "bin/meshlab", mesh, stderr=log)
+        self.wait_for_log("All files opened")
+        self.main = self.window("^MeshLab 2")
+
+    def close(self):
+        for process in (self.process, self.manager):
+            process.kill()
+            process.wait(timeout=20)
+
+    def _start(self, *command, stderr=subprocess.DEVNULL):
+        return subprocess.Popen([str(word) for word in command], env=self.environment, cwd=self.folder, stderr=stderr,
+                                stdout=subprocess.DEVNULL)
+
+    def _output(self, *command):
+        return subprocess.run(command, env=self.environment, check=False, capture_output=True, text=True,
+                              timeout=WAIT).stdout
+
+    def _wait(self, condition, what):
+        deadline = time.monotonic() + WAIT
+        while time.monotonic() < deadline:
+            result = condition()
+            if result:
+                return result
+            time.sleep(0.05)
+        self.picture("timeout")
+        raise AssertionError(f"waited {WAIT} s for {what}; log:\n{self.log()}")
+
+    def log(self):
+        return self.log_path.read_text(encoding="utf-8", errors="replace") if self.log_path.exists() else ""
+
+    def wait_for_log(self, pattern, times=1):
+        self._wait(lambda: len(re.findall(pattern, self.log())) >= times, f"{times} x '{pattern}' in the log")
+
+    def find(self, title):
+        """The window of this title (a pattern) that is on the screen, or None."""
+        found = self._output("xdotool", "search", "--onlyvisible", "--name", title).split()
+        return found[-1] if found else None
+
+    def window(self, title):
+        """Waits for a window and gives it the keyboard."""
+        found = self._wait(lambda: self.find(title), f"window '{title}'")
+        self.focus(found)
+        return found
+
+    def focus(self, window):
+        def focused():
+            self._output("xdotool", "windowfocus", window)
+            return self._output("xdotool", "getwindowfocus").strip() == window
+        self._wait(focused, "the keyboard's focus")
+
+    def gone(self, title):
+        self._wait(lambda: not self.find(title), f"the end of window '{title}'")
+
+    def keys(self, *keys):
+        self._output("xdotool", "key", "--clearmodifiers", "--delay", "40", *keys)
+
+    def type(self, text):
+        self._output("xdotool", "type", "--delay", "8", str(text))
+
+    def picture(self, name):
+        self.pictures += 1
+        path = self.folder / f"{self.pictures:02}_{name}.png"
+        self._output("import", "-window", "root", str(path))
+        return path
+
+    def settled_picture(self, name, **region):
+        """A picture that two looks in a row agree on: drawing has finished."""
+        previous = None
+
+        def settled():
+            nonlocal previous
+            now = self.pixels(**region)
+            same, previous = now == previous, now
+            time.sleep(0.2)
+            return same
+        self._wait(settled, "a still picture")
+        self.picture(name)
+        return previous
+
+    def pixels(self, region="350x450+560+200"):
+        """What the part of the screen shows that holds the mesh and no dialog."""
+        return subprocess.run(["import", "-window", "root", "-crop", region, "-depth", "8", "rgb:-"], check=False,
+                              env=self.environment, capture_output=True, timeout=WAIT).stdout
+
+    # MeshLab's ways
+
+    def open_filter(self, name):
+        """Finds a filter by the search box and opens its dialog; the focus is then on Apply."""
+        self.focus(self.main)
+        before = self.pixels("480x160+905+82")
+        self.keys("ctrl+f")
+        self.type(name)
+        self._wait(lambda: self.pixels("480x160+905+82") != before, "the search box")
+        self.settled_picture("search", region="480x160+905+82")
+        self.keys("Down", "Return")
+        dialog = self.window("^" + re.escape(name))
+        self.settled_picture("dialog")
+        return dialog
+
+    def applied(self):
+        return len(re.findall("Applied filter", self.log()))
+
+    def export(self, path):
+        """Saves the layer as binary PLY."""
+        self.focus(self.main)
+        self.keys("ctrl+shift+e")
+        self.window('^Save ".*" Layer')
+        self.type(path)
+        self.keys("Return")
+        self.window("^Choose Saving Options")
+        self.keys("Return")
+        self.wait_for_log(f"Saved Mesh {re.escape(str(path))}")
+        return path

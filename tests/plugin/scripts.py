@@ -1,0 +1,21 @@
+"""MeshLab filter scripts (.mlx) for our filters. A script lists all parameters: MeshLab 2020.09 aborts otherwise."""
+
+SMOOTHING = "Anisotropic Feature-Preserving Smoothing"
+GEODESIC = "Geodesic Distance by Virtual Source"
+
+KINDS = {"sigma_c": "RichFloat", "sigma_s": "RichFloat", "sigma_n": "RichFloat", "rho": "RichFloat",
+         "iterations": "RichInt", "boundary": "RichEnum", "selected": "RichBool", "start_vertex": "RichInt",
+         "isolines": "RichInt"}
+DEFAULTS = {SMOOTHING: {"sigma_c": 2, "sigma_s": 1, "sigma_n": 0.3, "rho": 2, "iterations": 1, "boundary": 0,
+                        "selected": "false"},
+            GEODESIC: {"start_vertex": 0, "isolines": 10}}
+
+
+def write(path, name, **values):
+    """One filter with its defaults and `values` on top."""
+    lines = ["<!DOCTYPE FilterScript>", "<FilterScript>", f' <filter name="{name}">']
+    for parameter, value in {**DEFAULTS[name], **values}.items():
+        extra = ' enum_val0="fixed" enum_val1="free" enum_cardinality="2"' if parameter == "boundary" else ""
+        lines.append(f'  <Param type="{KINDS[parameter]}" name="{parameter}" value="{value}"{extra}/>')
+    path.write_text("\n".join([*lines, " </filter>", "</FilterScript>", ""]))
+    return path

@@ -1,0 +1,151 @@
+"""The plugin in MeshLab's window on a virtual display. Screenshots stay in the test's folder below the build folder."""
+
+import re
+import unittest
+
+import ply
+import scripts
+from environment import Display, PrivateMeshLab, fresh_work_folder, run_tool
+from gui import Gui
+
+# Tab order of a filter's dialog: Apply (has the focus at first), Default, Preview, then the parameters.
+TABS_TO_PREVIEW = 2
+TABS_TO_FIRST_FIELD = 3
+FIELDS = list(scripts.DEFAULTS[scripts.SMOOTHING])
+
+
+def setUpModule():
+    global work, meshlab, display, noisy
+    work = fresh_work_folder()
+    meshlab = PrivateMeshLab(work)
+    display = Display().__enter__()
+    run_tool("generate", "cad_part", work / "clean.ply", "--vertices", 8000)
+    noisy = work / "noisy.ply"
+    run_tool("noise", work / "clean.ply", noisy, "--level", "0.2")
+
+
+def tearDownModule():
+    display.__exit__()
+
+
+def by_script(source, name, filter_name=scripts.SMOOTHING, save=(), **values):
+    script = scripts.write(work / f"{name}.mlx", filter_name, **values)
+    target = work / f"{name}.ply"
+    done = meshlab.server(display.name, "-i", source, "-o", target, *save, "-s", script)
+    if done.returncode != 0:
+        raise AssertionError(done.stdout)
+    return target
+
+
+class Dialog(unittest.TestCase):
+    def start(self, mesh, name):
+        folder = work / name
+        folder.mkdir()
+        gui = Gui(meshlab, display, mesh, folder)
+        self.addCleanup(gui.close)
+        return gui
+
+    def set_field(self, gui, name, value):
+        """From Apply to a field, its new value, and back to Apply."""
+        tabs = TABS_TO_FIRST_FIELD + FIELDS.index(name)
+        gui.keys(*["Tab"] * tabs, "ctrl+a")
+        gui.type(value)
+        gui.keys(*["shift+Tab"] * tabs)
+
+    def test_preview_apply_and_export(self):
+        gui = self.start(noisy, "smoothing")
+        dialog = gui.open_filter(scripts.SMOOTHING)
+
+        gui.keys(*["Tab"] * TABS_TO_PREVIEW, "space")
+        gui.wait_for_log("Applied filter")
+        shown = gui.settled_picture("preview_on")
+        gui.keys("space")
+        hidden = gui.settled_picture("preview_off")
+        self.assertNotEqual(shown, hidden)
+        gui.keys("space")
+        self.assertEqual(gui.settled_picture("preview_on_again"), shown)
+        gui.keys("space")
+        self.assertEqual(gui.settled_picture("preview_off_again"), hidden)
+        self.assertEqual(ply.positions(gui.export(work / "after_preview.ply")), ply.positions(noisy))
+
+        gui.focus(dialog)
+        gui.keys(*["shift+Tab"] * TABS_TO_PREVIEW)
+        self.set_field(gui, "sigma_n", "0.2")
+        applied = gui.applied()
+        gui.keys("space")
+        gui.wait_for_log("Applied filter", applied + 1)
+        self.assertNotEqual(gui.settled_picture("applied"), hidden)
+        result = gui.export(work / "applied.ply")
+        self.assertEqual(ply.positions(result), ply.positions(by_script(noisy, "by_script", sigma_n="0.2")))
+        self.assertRegex(gui.log(), r"moved \d+ of \d+ vertices")
+        self.assertRegex(gui.log(), r"average edge length")
+
+    def test_bad_value_is_explained_in_a_box_and_changes_nothing(self):
+        gui = self.start(noisy, "failure")
+        dialog = gui.open_filter(scripts.SMOOTHING)
+        self.set_field(gui, "sigma_c", "-1")
+        gui.keys("space")
+        gui.window("Filter Failure")
+        gui.settled_picture("failure_box")
+        gui.keys("Return")
+        gui.gone("Filter Failure")
+        self.assertIn("sigma_c is -1; it must be", gui.log())
+        self.assertEqual(ply.positions(gui.export(work / "after_failure.ply")), ply.positions(noisy))
+        gui.focus(dialog)
+
+    def test_a_selection_is_taken_up_by_the_dialog(self):
+        source = work / "selected.ply"
+        vertex = ply.read(noisy)["vertex"]
+        x, y, z = (ply.floats(vertex[name]) for name in "xyz")
+        ply.write(source, [("vertex", [("x", "float"), ("y", "float"), ("z", "float"), ("flags", "int")],
+                            [(x[i], y[i], z[i], 0x20 if i % 2 else 0) for i in range(len(x))]),
+                           ("face", [("vertex_indices", ("uchar", "int"))], [(t,) for t in ply.triangles(noisy)])])
+        gui = self.start(source, "selection")
+        gui.open_filter(scripts.SMOOTHING)
+        gui.keys("space")
+        gui.wait_for_log("Applied filter")
+        result = ply.positions(gui.export(work / "selection_applied.ply"))
+        self.assertEqual(result, ply.positions(by_script(source, "selection_script", selected="true")))
+        before = ply.positions(noisy)
+        self.assertEqual(result[::2], before[::2])
+        self.assertNotEqual(result, before)
+
+    def test_second_start_while_running_is_refused(self):
+        large = work / "large.ply"
+        run_tool("generate", "sphere", work / "large_clean.ply", "--vertices", 60000)
+        run_tool("noise", work / "large_clean.ply", large, "--level", "0.2")
+        gui = self.start(large, "busy")
+        dialog = gui.open_filter(scripts.SMOOTHING)
+        self.set_field(gui, "sigma_c", "12")
+        gui.keys("space")
+        gui.focus(dialog)
+        gui.keys("space")
+        gui.window("Filter Failure")
+        gui.picture("still_running")
+        self.assertEqual(gui.applied(), 0)
+        gui.keys("Return")
+        gui.wait_for_log("Applied filter")
+        self.assertEqual(len(re.findall("Error: a filter of this plugin is still running", gui.log())), 1)
+        result = gui.export(work / "busy.ply")
+        self.assertEqual(ply.positions(result), ply.positions(by_script(large, "busy_script", sigma_c="12")))
+
+    def test_geodesic_distance_is_shown_in_colour_and_restored(self):
+        gui = self.start(noisy, "geodesic")
+        dialog = gui.open_filter(scripts.GEODESIC)
+        gui.keys(*["Tab"] * TABS_TO_PREVIEW, "space")
+        gui.wait_for_log("Applied filter")
+        shown = gui.settled_picture("preview_on")
+        gui.keys("space")
+        self.assertNotEqual(gui.settled_picture("preview_off"), shown)
+        gui.focus(dialog)
+        gui.keys(*["shift+Tab"] * TABS_TO_PREVIEW, "space")
+        gui.wait_for_log("Applied filter", 2)
+        self.assertEqual(gui.settled_picture("applied"), shown)
+        result = ply.read(gui.export(work / "geodesic.ply"))["vertex"]
+        expected = ply.read(by_script(noisy, "geodesic_script", scripts.GEODESIC, ("-m", "vc", "vq")))["vertex"]
+        for name in ("x", "y", "z", "red", "green", "blue", "quality"):
+            self.assertEqual(result[name], expected[name], name)
+
+
+if __name__ == "__main__":
+    unittest.main()

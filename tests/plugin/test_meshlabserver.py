@@ -1,0 +1,242 @@
+"""The plugin in MeshLab's own meshlabserver: same vertices as the command line, nothing else touched, clear failures."""
+
+import json
+import re
+import struct
+import unittest
+
+import ply
+import scripts
+from environment import Display, PrivateMeshLab, fresh_work_folder, run_tool
+
+SELECTED = 0x20  # vcglib's bit for "selected" in the flags of vertices and faces
+ATTRIBUTES = ("-m", "vc", "vf", "vq", "vt", "fc", "ff", "fq", "wt")
+
+
+def setUpModule():
+    global work, meshlab, display, noisy, sheets
+    work = fresh_work_folder()
+    meshlab = PrivateMeshLab(work)
+    display = Display().__enter__()
+    noisy = make_noisy("cad_part", 35000)
+    sheets = make_noisy("thin_sheets", 2000)  # has borders
+
+
+def tearDownModule():
+    display.__exit__()
+
+
+def make_noisy(shape, vertices):
+    clean = work / f"{shape}.ply"
+    result = work / f"{shape}_noisy.ply"
+    run_tool("generate", shape, clean, "--vertices", vertices)
+    run_tool("noise", clean, result, "--level", "0.2", "--seed", "1")
+    return result
+
+
+def with_attributes(source, target):
+    """The mesh of `source` with colour, quality, texture coordinates and a selection on vertices, faces and corners."""
+    vertex = ply.read(source)["vertex"]
+    x, y, z = (ply.floats(vertex[name]) for name in "xyz")
+    vertices = [(x[i], y[i], z[i], SELECTED if i % 3 == 0 else 0, i % 256, i // 256 % 256, i * 7 % 256, 255, 0.25 * i,
+                 i % 10 / 10, i % 7 / 7) for i in range(len(x))]
+    faces = [(corners, SELECTED if i % 5 == 0 else 0, i * 3 % 256, i % 256, 9, 255, 0.5 * i, [0.1 * (i % 9)] * 6)
+             for i, corners in enumerate(ply.triangles(source))]
+    colors = [(channel, "uchar") for channel in ("red", "green", "blue", "alpha")]
+    ply.write(target, [
+        ("vertex", [("x", "float"), ("y", "float"), ("z", "float"), ("flags", "int"), *colors, ("quality", "float"),
+                    ("texture_u", "float"), ("texture_v", "float")], vertices),
+        ("face", [("vertex_indices", ("uchar", "int")), ("flags", "int"), *colors, ("quality", "float"),
+                  ("texcoord", ("uchar", "float"))], faces)], comments=["TextureFile none.png"])
+    return target
+
+
+def serve(source, name, filter_name=scripts.SMOOTHING, save=(), **values):
+    """Runs one filter; returns the finished process and the output's path."""
+    script = scripts.write(work / f"{name}.mlx", filter_name, **values)
+    target = work / f"{name}.ply"
+    inputs = ("-i", source) if source else ()
+    return meshlab.server(display.name, *inputs, "-o", target, *save, "-s", script), target
+
+
+class Smoothing(unittest.TestCase):
+    def smoothed(self, source, name, **values):
+        done, target = serve(source, name, **values)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertTrue(target.exists(), done.stdout)
+        return target
+
+    def by_command_line(self, source, name, *options):
+        target = work / f"{name}.ply"
+        run_tool("smooth", source, target, "--quiet", *options)
+        return target
+
+    def test_same_vertices_as_the_command_line(self):
+        ours = self.by_command_line(noisy, "defaults_tool")
+        self.assertGreater(len(ply.positions(ours)), 33000)
+        self.assertEqual(ply.positions(self.smoothed(noisy, "defaults_server")), ply.positions(ours))
+        self.assertNotEqual(ply.positions(ours), ply.positions(noisy))
+
+    def test_every_value_of_the_script_is_honoured(self):
+        default = ply.positions(self.by_command_line(sheets, "sheets_tool"))
+        for parameter, value, option in (("sigma_c", "1.3", "1.3"), ("sigma_s", "0.7", "0.7"),
+                                         ("sigma_n", "0.13", "0.13"), ("rho", "1.3", "1.3"), ("iterations", "3", "3"),
+                                         ("boundary", "1", "free")):
+            with self.subTest(parameter):
+                ours = ply.positions(self.by_command_line(sheets, f"{parameter}_tool",
+                                                          "--" + parameter.replace("_", "-"), option))
+                theirs = ply.positions(self.smoothed(sheets, f"{parameter}_server", **{parameter: value}))
+                self.assertEqual(theirs, ours)
+                self.assertNotEqual(theirs, default)
+
+    def test_only_the_selection_moves(self):
+        source = with_attributes(sheets, work / "selection.ply")
+        before = ply.positions(source)
+        everywhere = ply.positions(self.smoothed(source, "selection_off", selected="false"))
+        after = ply.positions(self.smoothed(source, "selection_on", selected="true"))
+        selected = {i for i in range(len(before)) if i % 3 == 0}
+        for i, corners in enumerate(ply.triangles(source)):
+            if i % 5 == 0:
+                selected.update(corners)
+        self.assertLess(len(selected), len(before))
+        for i, position in enumerate(after):
+            self.assertEqual(position, everywhere[i] if i in selected else before[i], i)
+
+    def test_attributes_stay_byte_for_byte(self):
+        source = with_attributes(noisy, work / "attributed.ply")
+        copy = work / "attributed_copy.ply"
+        self.assertEqual(meshlab.server(display.name, "-i", source, "-o", copy, *ATTRIBUTES).returncode, 0)
+        done, result = serve(source, "attributed_result", save=ATTRIBUTES)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        before, after = ply.read(copy), ply.read(result)
+        self.assertLessEqual({"flags", "red", "quality", "texture_u"}, set(before["vertex"]))
+        self.assertLessEqual({"flags", "red", "quality", "texcoord"}, set(before["face"]))
+        self.assertNotEqual(before["vertex"]["x"], after["vertex"]["x"])
+        self.assertEqual({e: list(p) for e, p in before.items()}, {e: list(p) for e, p in after.items()})
+        for element, properties in before.items():
+            for name, column in properties.items():
+                if name not in ("x", "y", "z", "nx", "ny", "nz"):
+                    self.assertEqual(column, after[element][name], f"{element} {name}")
+
+    def test_log_tells_lengths_and_counts(self):
+        report = work / "report.json"
+        self.by_command_line(sheets, "report_tool", "--report", report)
+        figures = json.loads(report.read_text())
+        done, _ = serve(sheets, "report_server")
+        for name in ("average_edge_length", "sigma_c_length", "sigma_s_length", "rho_length", "max_displacement",
+                     "rms_displacement", "volume_before", "volume_after"):
+            self.assertIn(f"{figures[name]:.6g}", done.stdout, name)
+        self.assertIn(f"moved {figures['moved_vertices']} of {figures['vertices']} vertices", done.stdout)
+        self.assertIn(f"held fixed {figures['fixed_vertices']}", done.stdout)
+
+    def test_unmerged_mesh_is_warned_about(self):
+        vertex = ply.read(sheets)["vertex"]
+        points = list(zip(*(ply.floats(vertex[name]) for name in "xyz")))
+        corners = [points[corner] for triangle in ply.triangles(sheets) for corner in triangle]
+        source = work / "unmerged.ply"
+        ply.write(source, [("vertex", [("x", "float"), ("y", "float"), ("z", "float")], corners),
+                           ("face", [("vertex_indices", ("uchar", "int"))],
+                            [([i, i + 1, i + 2],) for i in range(0, len(corners), 3)])])
+        done, _ = serve(source, "unmerged_result")
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertIn("Merge Close Vertices", done.stdout)
+
+
+class Geodesic(unittest.TestCase):
+    def test_same_distances_and_colours_as_the_command_line(self):
+        ours = work / "geodesic_tool.ply"
+        run_tool("geodesic", noisy, ours, "--start-vertex", "1234", "--isolines", "7")
+        done, theirs = serve(noisy, "geodesic_server", scripts.GEODESIC, ("-m", "vc", "vq"), start_vertex=1234,
+                             isolines=7)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        expected, result = ply.read(ours)["vertex"], ply.read(theirs)["vertex"]
+        self.assertEqual(result["x"], ply.read(noisy)["vertex"]["x"])
+        for channel in ("red", "green", "blue"):
+            self.assertEqual(result[channel], expected[channel])
+        self.assertEqual(result["quality"], [self.as_float(value) for value in expected["quality"]])
+        self.assertEqual(ply.floats(result["quality"])[1234], 0)
+
+    def as_float(self, raw):
+        """The tool may write doubles; MeshLab's quality is a float."""
+        return raw if len(raw) == 4 else struct.pack("<f", struct.unpack("<d", raw)[0])
+
+    def test_unreachable_vertices_are_finite_grey_and_reported(self):
+        done, target = serve(sheets, "unreachable", scripts.GEODESIC, ("-m", "vc", "vq"))
+        self.assertEqual(done.returncode, 0, done.stdout)
+        vertex = ply.read(target)["vertex"]
+        quality = ply.floats(vertex["quality"])
+        unreachable = [i for i, value in enumerate(quality) if value == -1]
+        self.assertEqual(len(unreachable), len(quality) * 3 // 4)  # three of four sheets
+        self.assertIn(f"{len(unreachable)} vertices are not connected", done.stdout)
+        self.assertTrue(all(value >= 0 for i, value in enumerate(quality) if i not in set(unreachable)))
+        for i in unreachable:
+            self.assertEqual([vertex[c][i] for c in ("red", "green", "blue")], [b"\x80"] * 3)
+
+
+class Failures(unittest.TestCase):
+    """Status 255, a line that tells what is wrong, no output."""
+
+    def fails(self, done, target, *words):
+        self.assertEqual(done.returncode, 255, done.stdout)
+        self.assertFalse(target.exists())
+        # meshlabserver prints progress without line ends, so the message may follow it on the same line; it also prints
+        # every message to stderr, behind "LOG: 2".
+        errors = re.findall(r"(?<!LOG: 2 )Error: .*", done.stdout)
+        self.assertEqual(len(errors), 1, done.stdout)
+        for word in words:
+            self.assertIn(word, errors[0])
+
+    def test_no_mesh(self):
+        for name, kind in (("no_mesh", scripts.SMOOTHING), ("no_mesh_geodesic", scripts.GEODESIC)):
+            self.fails(*serve(None, name, kind), "no mesh")
+
+    def test_no_faces(self):
+        points = work / "points.ply"
+        ply.write(points, [("vertex", [("x", "float"), ("y", "float"), ("z", "float")],
+                            [(i, i * i, 0) for i in range(10)])])
+        for name, kind in (("no_faces", scripts.SMOOTHING), ("no_faces_geodesic", scripts.GEODESIC)):
+            self.fails(*serve(points, name, kind), "face")
+
+    def test_bad_values(self):
+        cases = [(parameter, value, shown) for parameter in ("sigma_c", "sigma_s", "sigma_n", "rho")
+                 for value, shown in (("0", "0"), ("-1.5", "-1.5"), ("nan", "nan"), ("inf", "inf"))]
+        cases += [("iterations", "0", "0"), ("iterations", "-3", "-3"), ("boundary", "2", "2"), ("boundary", "-1", "-1")]
+        for number, (parameter, value, shown) in enumerate(cases):
+            with self.subTest(f"{parameter}={value}"):
+                self.fails(*serve(sheets, f"bad_{number}", **{parameter: value}), parameter, f"is {shown};", "must be")
+
+    def test_bad_values_of_the_geodesic_filter(self):
+        count = len(ply.positions(sheets))
+        for number, (parameter, value) in enumerate((("start_vertex", -1), ("start_vertex", count), ("isolines", -1))):
+            with self.subTest(f"{parameter}={value}"):
+                self.fails(*serve(sheets, f"bad_geodesic_{number}", scripts.GEODESIC, **{parameter: value}), parameter,
+                           f"is {value};", "must be")
+
+    def test_coordinate_that_is_not_finite(self):
+        source = work / "nan.ply"
+        corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (float("nan"), 1, 1)]
+        ply.write(source, [("vertex", [("x", "float"), ("y", "float"), ("z", "float")], corners),
+                           ("face", [("vertex_indices", ("uchar", "int"))], [([0, 1, 2],), ([1, 3, 2],)])])
+        self.fails(*serve(source, "nan_result"), "finite", "3")
+
+    def test_existing_output_is_kept(self):
+        script = scripts.write(work / "kept.mlx", scripts.SMOOTHING, rho=-1)
+        target = work / "kept.ply"
+        target.write_text("precious")
+        done = meshlab.server(display.name, "-i", sheets, "-o", target, "-s", script)
+        self.assertEqual(done.returncode, 255)
+        self.assertEqual(target.read_text(), "precious")
+
+
+class Menu(unittest.TestCase):
+    def test_filters_are_listed_with_their_help(self):
+        listing = work / "filters.txt"
+        meshlab.server(display.name, "-d", listing)
+        text = listing.read_text(errors="replace")
+        for name in (scripts.SMOOTHING, scripts.GEODESIC):
+            self.assertIn(name, text)
+        self.assertIn("Anisotropic Feature-Preserving Smoothing of 3D Mesh", text)
+
+
+if __name__ == "__main__":
+    unittest.main()
