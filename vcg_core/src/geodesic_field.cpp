@@ -32,9 +32,8 @@ std::vector<double> geodesic_field(const MeshArrays& mesh, std::size_t host_sour
   const std::vector<TriangleFrame<Scalar>> frames = triangle_frames(mesh, mesh.position, Scalar(1), job);
   GeodesicMarch<Scalar> march(mesh, frames, tolerance * mesh.topology.average_edge_length);
   const double vertices = static_cast<double>(mesh.size());
-  march.run(index_of[host_source], std::numeric_limits<Scalar>::infinity(), [&](std::size_t settled) {
-    job.report(0.5 + 0.5 * std::min(1.0, static_cast<double>(settled) / vertices));
-  });
+  march.run(index_of[host_source], std::numeric_limits<Scalar>::infinity(),
+            [&](std::size_t settled) { job.report(std::min(1.0, static_cast<double>(settled) / vertices)); });
   job.finish();
 
   std::vector<double> distance(mesh.host_vertex_count, std::numeric_limits<double>::infinity());

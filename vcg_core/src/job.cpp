@@ -23,12 +23,14 @@ struct Chunks::Shared {
   Job& job;
   std::size_t count;
   std::size_t grain;
+  Loop loop;
   std::atomic<std::size_t> next_index{0};
   std::atomic<bool> stop{false};
   std::mutex failure_mutex;
   std::exception_ptr failure;
 
-  Shared(Job& job_, std::size_t count_, std::size_t grain_) : job(job_), count(count_), grain(grain_) {}
+  Shared(Job& job_, std::size_t count_, std::size_t grain_, Loop loop_)
+      : job(job_), count(count_), grain(grain_), loop(loop_) {}
 
   std::size_t chunk_count() const { return (count + grain - 1) / grain; }
 
@@ -58,6 +60,7 @@ bool Chunks::next() {
 void Chunks::poll() {
   if (shared_.stop.load(std::memory_order_relaxed)) throw Stopped{};
   if (!on_calling_thread_) return;
+  if (shared_.loop == Loop::minor) return shared_.job.poll();
   const std::size_t taken = std::min(shared_.next_index.load(std::memory_order_relaxed), shared_.chunk_count());
   shared_.job.report(static_cast<double>(taken) / static_cast<double>(shared_.chunk_count()));
 }
@@ -79,6 +82,11 @@ void Job::report(double stage_fraction) {
   call(stage_begin_ + (stage_end_ - stage_begin_) * stage_fraction);
 }
 
+void Job::poll() {
+  if (!progress_ || std::chrono::steady_clock::now() - last_call_ < between_calls) return;
+  call(last_fraction_);
+}
+
 void Job::finish() { call(1.0); }
 
 void Job::call(double fraction) {
@@ -88,8 +96,8 @@ void Job::call(double fraction) {
   last_call_ = std::chrono::steady_clock::now();
 }
 
-void Job::parallel(std::size_t count, std::size_t grain, const std::function<void(Chunks&)>& body) {
-  Chunks::Shared shared(*this, count, grain);
+void Job::parallel(std::size_t count, std::size_t grain, Loop loop, const std::function<void(Chunks&)>& body) {
+  Chunks::Shared shared(*this, count, grain, loop);
   std::vector<std::thread> workers;
   const std::size_t wanted = std::min(static_cast<std::size_t>(threads_), shared.chunk_count());
   workers.reserve(wanted);

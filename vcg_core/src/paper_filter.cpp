@@ -26,7 +26,8 @@ double paper_offset(Index i, const GeodesicMarch<double>& march, const std::vect
     sum += w * height;
     sum_of_weights += w;
   }
-  return sum / sum_of_weights;  // v_i itself has weight 1
+  // v_i itself has weight 1, but for a cut-off so small that it is 0.
+  return sum_of_weights > 0 ? sum / sum_of_weights : 0;
 }
 
 }  // namespace

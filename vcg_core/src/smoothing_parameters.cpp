@@ -9,7 +9,8 @@ namespace vcg_core {
 
 namespace {
 
-[[noreturn]] void reject(const char* name, double value, const char* allowed) {
+template <class Value>
+[[noreturn]] void reject(const char* name, Value value, const char* allowed) {
   std::ostringstream message;
   message << name << " is " << value << "; it must be " << allowed;
   throw InvalidParameter(message.str());

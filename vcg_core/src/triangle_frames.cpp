@@ -11,7 +11,7 @@ std::vector<TriangleFrame<Scalar>> triangle_frames(const MeshArrays& mesh, const
                                                    Scalar unit, Job& job) {
   const auto at = [&](Index corner) { return position[vertex_of(mesh, corner)].template cast<Scalar>().eval(); };
   std::vector<TriangleFrame<Scalar>> frames(3 * mesh.face.size());
-  job.parallel(mesh.face.size(), 4096, [&](Chunks& chunks) {
+  job.parallel(mesh.face.size(), 4096, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t corner = 3 * chunks.begin(); corner < 3 * chunks.end(); ++corner) {
         const auto c = static_cast<Index>(corner);

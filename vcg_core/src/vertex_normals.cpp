@@ -32,7 +32,7 @@ Vec3 vertex_normal(const MeshArrays& mesh, const std::vector<Vec3>& position, In
 
 std::vector<Vec3> vertex_normals(const MeshArrays& mesh, const std::vector<Vec3>& position, Job& job) {
   std::vector<Vec3> normal(mesh.size());
-  job.parallel(mesh.size(), 4096, [&](Chunks& chunks) {
+  job.parallel(mesh.size(), 4096, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t v = chunks.begin(); v < chunks.end(); ++v)
         normal[v] = vertex_normal(mesh, position, static_cast<Index>(v));

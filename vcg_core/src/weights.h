@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include <vcg_core/smoothing_parameters.h>
@@ -26,7 +27,8 @@ class GaussianWeights {
  private:
   /// r such that the weight is exp(-(r x)^2): with the factor in front of sigma^2 inside. Squares are taken after the
   /// product with x, so that neither a tiny nor a huge sigma gives 0 * infinity.
-  static double rate(double sigma, double factor) { return 1 / (sigma * std::sqrt(factor)); }
+  /// Limited, as the inverse of the smallest doubles is not finite.
+  static double rate(double sigma, double factor) { return std::min(1 / (sigma * std::sqrt(factor)), 1e150); }
 
   double c_;
   double s_;

@@ -12,6 +12,9 @@ namespace vcg_core::detail {
 
 class Job;
 
+/// Whether a parallel loop is what its stage's time goes into. Minor ones poll for cancelling and leave the fraction.
+enum class Loop { main, minor };
+
 /// One thread's view of a parallel loop: hands out chunks [begin, end) of the index range, in no particular order
 /// among the threads. What a chunk computes must depend on its indices only, so that the result does not depend on the
 /// number of threads.
@@ -53,9 +56,15 @@ class Job {
   /// Reports the end. The last moment to cancel; throws Cancelled.
   void finish();
 
+  /// Gives the caller the opportunity to cancel, without any progress; as report otherwise.
+  void poll();
+
   /// Runs `body` once on each thread, the calling thread among them; together the bodies work through [0, count) in
   /// chunks of `grain`. Rethrows the first exception after all threads have stopped.
-  void parallel(std::size_t count, std::size_t grain, const std::function<void(Chunks&)>& body);
+  void parallel(std::size_t count, std::size_t grain, Loop loop, const std::function<void(Chunks&)>& body);
+  void parallel(std::size_t count, std::size_t grain, const std::function<void(Chunks&)>& body) {
+    parallel(count, grain, Loop::main, body);
+  }
 
   int threads() const { return threads_; }
 
