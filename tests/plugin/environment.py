@@ -4,6 +4,7 @@ import os
 import pathlib
 import shutil
 import subprocess
+import time
 
 PLUGIN = pathlib.Path(os.environ["ANISO_PLUGIN"])
 TOOL = pathlib.Path(os.environ["ANISO_TOOL"])
@@ -52,7 +53,12 @@ class PrivateMeshLab:
 
 
 class Display:
-    """A virtual X display that chooses a free number itself and is ready when __enter__ returns."""
+    """A virtual X display that chooses a free number itself and is ready when __enter__ returns; if wanted, with a
+    window manager, without which windows get no keyboard focus."""
+
+    def __init__(self, window_manager=False):
+        self.window_manager = window_manager
+        self.manager = None
 
     def __enter__(self):
         reader, writer = os.pipe()
@@ -65,8 +71,26 @@ class Display:
         if not number:
             raise RuntimeError("Xvfb did not start")
         self.name = ":" + number
+        if self.window_manager:
+            self._start_window_manager()
         return self
 
+    def _start_window_manager(self):
+        environment = {**os.environ, "DISPLAY": self.name}
+        self.manager = subprocess.Popen(["openbox"], env=environment, stdout=subprocess.DEVNULL,
+                                        stderr=subprocess.DEVNULL)
+        deadline = time.monotonic() + 30
+        while time.monotonic() < deadline:
+            answer = subprocess.run(["xprop", "-root", "_NET_SUPPORTING_WM_CHECK"], env=environment, check=False,
+                                    capture_output=True, text=True, timeout=30).stdout
+            if "window id" in answer:
+                return
+            time.sleep(0.05)
+        raise RuntimeError("openbox did not start")
+
     def __exit__(self, *_):
+        if self.manager:
+            self.manager.terminate()
+            self.manager.wait(timeout=20)
         self.process.terminate()
         self.process.wait(timeout=20)

@@ -5,7 +5,13 @@ import re
 import subprocess
 import time
 
-WAIT = 30  # seconds; reached only when something is wrong
+WAIT = 60  # seconds; reached only when something is wrong
+
+
+def share_of_pixels_that_differ(one, other):
+    """By more than what the last bit of an antialiased line may do."""
+    differing = sum(abs(a - b) > 8 for a, b in zip(one[::3], other[::3]))
+    return differing / (len(one) // 3)
 
 
 class Gui:
@@ -14,21 +20,19 @@ class Gui:
         self.environment = meshlab.environment(display.name)
         self.log_path = folder / "meshlab.log"
         self.pictures = 0
-        self.manager = self._start("openbox")
-        self._wait(lambda: "WINDOW" in self._output("xprop", "-root", "_NET_SUPPORTING_WM_CHECK"), "window manager")
         with open(self.log_path, "w", encoding="utf-8") as log:
-            self.process = self._start(meshlab.prefix / "bin/meshlab", mesh, stderr=log)
-        self.wait_for_log("All files opened")
-        self.main = self.window("^MeshLab 2")
+            self.process = subprocess.Popen([meshlab.prefix / "bin/meshlab", mesh], env=self.environment, cwd=folder,
+                                            stdout=subprocess.DEVNULL, stderr=log)
+        try:
+            self.wait_for_log("All files opened")
+            self.main = self.window("^MeshLab 2")
+        except BaseException:
+            self.close()
+            raise
 
     def close(self):
-        for process in (self.process, self.manager):
-            process.kill()
-            process.wait(timeout=20)
-
-    def _start(self, *command, stderr=subprocess.DEVNULL):
-        return subprocess.Popen([str(word) for word in command], env=self.environment, cwd=self.folder, stderr=stderr,
-                                stdout=subprocess.DEVNULL)
+        self.process.kill()
+        self.process.wait(timeout=20)
 
     def _output(self, *command):
         return subprocess.run(command, env=self.environment, check=False, capture_output=True, text=True,
@@ -74,7 +78,7 @@ class Gui:
         self._output("xdotool", "key", "--clearmodifiers", "--delay", "40", *keys)
 
     def type(self, text):
-        self._output("xdotool", "type", "--delay", "8", str(text))
+        self._output("xdotool", "type", "--delay", "8", "--", str(text))
 
     def picture(self, name):
         self.pictures += 1
@@ -82,8 +86,10 @@ class Gui:
         self._output("import", "-window", "root", str(path))
         return path
 
-    def settled_picture(self, name, **region):
-        """A picture that two looks in a row agree on: drawing has finished."""
+    def settled_picture(self, name, unlike=None, **region):
+        """A picture that two looks in a row agree on: drawing has finished. It waits for one other than `unlike`."""
+        if unlike is not None:
+            self._wait(lambda: share_of_pixels_that_differ(self.pixels(**region), unlike) > 0.01, f"'{name}'")
         previous = None
 
         def settled():
