@@ -8,6 +8,8 @@
 #include <vcg_core/detail/job.h>
 #include <vcg_core/errors.h>
 
+#include "face_area.h"
+
 namespace vcg_core::detail {
 
 namespace {
@@ -62,9 +64,11 @@ void visit_edges(const RawMesh& mesh, const MeshTopology& topology, Index v, std
   }
 }
 
-bool has_area(const RawMesh& mesh, const std::array<Index, 3>& f) {
-  const Vec3& p = mesh.position[f[0]];
-  return !(mesh.position[f[1]] - p).cross(mesh.position[f[2]] - p).isZero(0);
+bool is_degenerate(const RawMesh& mesh, const std::array<Index, 3>& f) {
+  if (has_repeated_vertex(f)) return true;
+  const Vec3 a = mesh.position[f[1]] - mesh.position[f[0]];
+  const Vec3 b = mesh.position[f[2]] - mesh.position[f[0]];
+  return !has_area(a, b, a.cross(b));
 }
 
 }  // namespace
@@ -98,7 +102,7 @@ MeshTopology find_topology(const RawMesh& mesh, Job& job) {
     topology.border_vertices += topology.border[v];
     topology.non_manifold_vertices += (kind[v] & non_manifold) != 0;
   }
-  for (const auto& face : mesh.face) topology.degenerate_faces += has_repeated_vertex(face) || !has_area(mesh, face);
+  for (const auto& face : mesh.face) topology.degenerate_faces += is_degenerate(mesh, face);
   return topology;
 }
 

@@ -6,6 +6,8 @@
 
 #include <vcg_core/detail/job.h>
 
+#include "face_area.h"
+
 namespace vcg_core::detail {
 
 namespace {
@@ -21,8 +23,9 @@ Vec3 vertex_normal(const MeshArrays& mesh, const std::vector<Vec3>& position, In
     const Vec3 a = position[vertex_of(mesh, next_in_face(corner))] - position[v];
     const Vec3 b = position[vertex_of(mesh, previous_in_face(corner))] - position[v];
     const Vec3 cross = a.cross(b);
+    if (!has_area(a, b, cross)) continue;
     const double twice_area = cross.norm();
-    if (twice_area > 0) sum += cross * (std::atan2(twice_area, a.dot(b)) / twice_area);
+    sum += cross * (std::atan2(twice_area, a.dot(b)) / twice_area);
   }
   const double length = sum.norm();
   return length > cancelled ? Vec3(sum / length) : Vec3(Vec3::Zero());
