@@ -35,8 +35,8 @@ struct Agreement {
 };
 
 std::ostream& operator<<(std::ostream& out, const Agreement& a) {
-  return out << a.compared << " compared, " << a.moved << " moved, " << a.ambiguous << " ambiguous, "
-             << a.other_members << " with another neighbourhood, largest difference " << a.largest << " |e|";
+  return out << a.compared << " compared, " << a.moved << " moved, " << a.ambiguous << " ambiguous, " << a.other_members
+             << " with another neighbourhood, largest difference " << a.largest << " |e|";
 }
 
 Agreement compare(const FlatMesh& mesh, const std::vector<std::size_t>& vertices, const SmoothingParameters& parameters,
@@ -123,8 +123,9 @@ TEST_P(NaiveAgreementOnModels, AtRandomVertices) {
   const auto model = load_model(name);
   if (!model) GTEST_SKIP() << "no model " << name << " in ANISO_TEST_DATA";
   const double reach = 20;  // in |e|: the cut-off of 4 and four times the longest edge of all models, 3.9
-  expect_agreement(compare(model->noisy, sample(model->noisy.points.size(), 20), path.parameters, path.clearance, reach),
-                   path.position_tolerance);
+  expect_agreement(
+      compare(model->noisy, sample(model->noisy.points.size(), 20), path.parameters, path.clearance, reach),
+      path.position_tolerance);
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, NaiveAgreementOnModels,

@@ -77,7 +77,8 @@ TEST(Errors, NotANumberInSinglePrecision) {
   expect_refused(mesh, {"1 vertex", "vertex 1"});
 }
 
-// The index is that of the caller's mesh.vert, deleted vertices counted; a NaN in a deleted vertex is nobody's business.
+// The index is that of the caller's mesh.vert, deleted vertices counted; a NaN in a deleted vertex is nobody's
+// business.
 TEST(Errors, NotANumberBehindDeletedVertices) {
   DoubleMesh mesh;
   fill(mesh, {{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 3}, {0, 3, 4}}});

@@ -192,8 +192,8 @@ TEST(Cancelling, TakesEffectInTimeInGeodesicDistances) {
   DoubleMesh mesh;
   fill(mesh, potato(8));
   for (const double wait : {0.1, 0.4, 0.7})
-    expect_prompt_cancel(
-        wait, [&](const vcg_core::Progress& progress) { vcg_core::geodesic_distances(mesh, 0, progress); });
+    expect_prompt_cancel(wait,
+                         [&](const vcg_core::Progress& progress) { vcg_core::geodesic_distances(mesh, 0, progress); });
 }
 
 }  // namespace

@@ -106,7 +106,8 @@ TEST(SmoothingParameters, AreCheckedBeforeAnythingElse) {
   EXPECT_FALSE(called);
 }
 
-// Everything above zero is allowed, and nothing of it may end in a NaN: the weights of all but v_i vanish, or none does.
+// Everything above zero is allowed, and nothing of it may end in a NaN: the weights of all but v_i vanish, or none
+// does.
 TEST(SmoothingParameters, ExtremeButAllowedValuesGiveFinitePositions) {
   const FlatMesh mesh = potato(1);
   const double e = average_edge_length(mesh);

@@ -190,8 +190,8 @@ TEST(SmoothingReport, CountsCoincidentVertices) {
 
 // The coordinate 0 has two signs and is one place.
 TEST(SmoothingReport, NegativeZeroIsTheSamePlace) {
-  const SmoothingReport report = report_of(
-      {{{0.0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 0, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {3, 4, 5}}});
+  const SmoothingReport report =
+      report_of({{{0.0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 0, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {3, 4, 5}}});
   EXPECT_EQ(report.coincident_vertices, 2u);
 }
 

@@ -36,8 +36,9 @@ TEST(VirtualStart, StraightThroughTheEdge) {
   EXPECT_DOUBLE_EQ(across_edge(1, -1, 2, 1, 2), 3);
 }
 
-// The same off the middle. Start (0, -3), apex (4, 0) + (0, 1) = (16/3, 1): the slope is 3/4, so the line meets the edge
-// from (0, 0) to (5, 0) at x = 4, and the distance is 5 for the run of 4 to the edge and 5/3 for that of 4/3 behind it.
+// The same off the middle. Start (0, -3), apex (4, 0) + (0, 1) = (16/3, 1): the slope is 3/4, so the line meets the
+// edge from (0, 0) to (5, 0) at x = 4, and the distance is 5 for the run of 4 to the edge and 5/3 for that of 4/3
+// behind it.
 TEST(VirtualStart, StraightThroughTheEdgeAtAnAngle) {
   EXPECT_NEAR(apex_distance(frame(5, 16.0 / 3, 1), 3, std::sqrt(34)), 20.0 / 3, 1e-15);
   EXPECT_NEAR(across_edge(0, -3, 5, 16.0 / 3, 1), 20.0 / 3, 1e-15);
@@ -83,11 +84,11 @@ TEST(VirtualStart, CirclesThatDoNotMeet) {
 TEST(VirtualStart, CirclesTooSmallToMeet) { EXPECT_DOUBLE_EQ(apex_distance(frame(4, 1, 1), 1, 1), 1 + std::sqrt(2)); }
 
 TEST(VirtualStart, TriangleWithoutArea) {
-  EXPECT_DOUBLE_EQ(apex_distance(frame(0, 3, 4), 1, 2), 6);          // v_1 = v_2
-  EXPECT_DOUBLE_EQ(apex_distance(frame(4, 4, 0), 3, 5), 5);          // the apex at v_2
-  EXPECT_DOUBLE_EQ(apex_distance(frame(4, 6, 0), 3, 5), 7);          // beyond v_2: around it
-  EXPECT_DOUBLE_EQ(apex_distance(frame(8, 4, 0), 5, 5), 3);          // on the edge: the start is 3 below
-  EXPECT_DOUBLE_EQ(apex_distance(frame(0, 0, 0), 1, 2), 1);          // all in one place
+  EXPECT_DOUBLE_EQ(apex_distance(frame(0, 3, 4), 1, 2), 6);  // v_1 = v_2
+  EXPECT_DOUBLE_EQ(apex_distance(frame(4, 4, 0), 3, 5), 5);  // the apex at v_2
+  EXPECT_DOUBLE_EQ(apex_distance(frame(4, 6, 0), 3, 5), 7);  // beyond v_2: around it
+  EXPECT_DOUBLE_EQ(apex_distance(frame(8, 4, 0), 5, 5), 3);  // on the edge: the start is 3 below
+  EXPECT_DOUBLE_EQ(apex_distance(frame(0, 0, 0), 1, 2), 1);  // all in one place
 }
 
 TEST(VirtualStart, ADistanceNotYetKnownLeavesTheOtherWay) {

@@ -31,9 +31,8 @@ testing::AssertionResult same_smoothing(const FlatMesh& a, const FlatMesh& b, co
 }
 
 bool all_finite(const FlatMesh& mesh) {
-  return std::all_of(mesh.points.begin(), mesh.points.end(), [](const Point& p) {
-    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-  });
+  return std::all_of(mesh.points.begin(), mesh.points.end(),
+                     [](const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); });
 }
 
 bool same_bits(const FlatMesh& a, const FlatMesh& b) {

@@ -53,8 +53,8 @@ void fill(Mesh& mesh, const FlatMesh& from) {
   vcg::tri::Allocator<Mesh>::AddVertices(mesh, from.points.size());
   for (std::size_t v = 0; v < from.points.size(); ++v) {
     const Point& p = from.points[v];
-    mesh.vert[v].P() = typename Mesh::CoordType(static_cast<Scalar>(p[0]), static_cast<Scalar>(p[1]),
-                                                static_cast<Scalar>(p[2]));
+    mesh.vert[v].P() =
+        typename Mesh::CoordType(static_cast<Scalar>(p[0]), static_cast<Scalar>(p[1]), static_cast<Scalar>(p[2]));
   }
   vcg::tri::Allocator<Mesh>::AddFaces(mesh, from.faces.size());
   for (std::size_t f = 0; f < from.faces.size(); ++f)

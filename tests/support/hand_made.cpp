@@ -24,11 +24,21 @@ namespace {
 
 FlatMesh icosahedron() {
   const double t = (1 + std::sqrt(5.0)) / 2;
-  return {{{-1, t, 0}, {1, t, 0}, {-1, -t, 0}, {1, -t, 0}, {0, -1, t}, {0, 1, t},
-           {0, -1, -t}, {0, 1, -t}, {t, 0, -1}, {t, 0, 1}, {-t, 0, -1}, {-t, 0, 1}},
-          {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-           {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-           {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
+  return {{{-1, t, 0},
+           {1, t, 0},
+           {-1, -t, 0},
+           {1, -t, 0},
+           {0, -1, t},
+           {0, 1, t},
+           {0, -1, -t},
+           {0, 1, -t},
+           {t, 0, -1},
+           {t, 0, 1},
+           {-t, 0, -1},
+           {-t, 0, 1}},
+          {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+           {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+           {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
 }
 
 FlatMesh split_in_four(const FlatMesh& mesh) {
@@ -43,8 +53,8 @@ FlatMesh split_in_four(const FlatMesh& mesh) {
     const std::size_t ab = middle(f[0], f[1]);
     const std::size_t bc = middle(f[1], f[2]);
     const std::size_t ca = middle(f[2], f[0]);
-    for (const Triangle& small : {Triangle{f[0], ab, ca}, Triangle{f[1], bc, ab}, Triangle{f[2], ca, bc},
-                                  Triangle{ab, bc, ca}})
+    for (const Triangle& small :
+         {Triangle{f[0], ab, ca}, Triangle{f[1], bc, ab}, Triangle{f[2], ca, bc}, Triangle{ab, bc, ca}})
       finer.faces.push_back(small);
   }
   return finer;

@@ -43,15 +43,15 @@ class RichVertex : public vcg::Vertex<RichTypes, vcg::vertex::Coord3d, vcg::vert
 class RichEdge : public vcg::Edge<RichTypes, vcg::edge::VertexRef, vcg::edge::BitFlags> {};
 class RichFace : public vcg::Face<RichTypes, vcg::face::VertexRef, vcg::face::Normal3d, vcg::face::BitFlags,
                                   vcg::face::Color4b, vcg::face::FFAdj, vcg::face::VFAdj, vcg::face::Mark> {};
-struct RichMesh
-    : vcg::tri::TriMesh<std::vector<RichVertex>, std::vector<RichEdge>, std::vector<RichFace>> {};
+struct RichMesh : vcg::tri::TriMesh<std::vector<RichVertex>, std::vector<RichEdge>, std::vector<RichFace>> {};
 
 /// Optional components ("OCF"), as in MeshLab's own mesh.
 class OcfVertex;
 class OcfEdge;
 class OcfFace;
-struct OcfTypes : vcg::UsedTypes<vcg::Use<OcfVertex>::AsVertexType, vcg::Use<OcfEdge>::AsEdgeType,
-                                 vcg::Use<OcfFace>::AsFaceType> {};
+struct OcfTypes
+    : vcg::UsedTypes<vcg::Use<OcfVertex>::AsVertexType, vcg::Use<OcfEdge>::AsEdgeType, vcg::Use<OcfFace>::AsFaceType> {
+};
 class OcfVertex : public vcg::Vertex<OcfTypes, vcg::vertex::InfoOcf, vcg::vertex::Coord3f, vcg::vertex::BitFlags,
                                      vcg::vertex::Normal3f, vcg::vertex::Qualityf, vcg::vertex::Color4b,
                                      vcg::vertex::VFAdjOcf, vcg::vertex::MarkOcf, vcg::vertex::TexCoordfOcf> {};
@@ -59,7 +59,7 @@ class OcfEdge : public vcg::Edge<OcfTypes, vcg::edge::VertexRef, vcg::edge::BitF
 class OcfFace : public vcg::Face<OcfTypes, vcg::face::InfoOcf, vcg::face::VertexRef, vcg::face::BitFlags,
                                  vcg::face::Normal3f, vcg::face::QualityfOcf, vcg::face::MarkOcf, vcg::face::FFAdjOcf,
                                  vcg::face::VFAdjOcf, vcg::face::WedgeTexCoordfOcf> {};
-struct OcfMesh : vcg::tri::TriMesh<vcg::vertex::vector_ocf<OcfVertex>, std::vector<OcfEdge>,
-                                   vcg::face::vector_ocf<OcfFace>> {};
+struct OcfMesh
+    : vcg::tri::TriMesh<vcg::vertex::vector_ocf<OcfVertex>, std::vector<OcfEdge>, vcg::face::vector_ocf<OcfFace>> {};
 
 }  // namespace test_support

@@ -7,10 +7,11 @@ namespace test_support {
 
 namespace {
 
-/// A unit vector at right angles to the unit vector u, on the side of `towards`; any, if `towards` is along u.
+/// A unit vector at right angles to the unit vector u, on the side of `towards`; any, if `towards` is along u up to
+/// rounding.
 Point perpendicular(const Point& u, const Point& towards) {
   Point w = towards - u * (u * towards);
-  if (w.Norm() == 0) {
+  if (w.Norm() <= 1e-12 * towards.Norm()) {
     const int smallest = std::abs(u[0]) < std::abs(u[1]) ? (std::abs(u[0]) < std::abs(u[2]) ? 0 : 2)
                                                          : (std::abs(u[1]) < std::abs(u[2]) ? 1 : 2);
     Point axis(0, 0, 0);
@@ -69,8 +70,7 @@ std::vector<double> naive_geodesics(const FlatMesh& mesh, std::size_t source, do
         const bool b_known = std::isfinite(distance[b]) && distance[b] <= reach;
         if (a_known) offer(apex, distance[a] + (p[apex] - p[a]).Norm());
         if (b_known) offer(apex, distance[b] + (p[apex] - p[b]).Norm());
-        if (a_known && b_known)
-          offer(apex, naive_virtual_start(p[apex], p[a], distance[a], p[b], distance[b]));
+        if (a_known && b_known) offer(apex, naive_virtual_start(p[apex], p[a], distance[a], p[b], distance[b]));
       }
     }
   }

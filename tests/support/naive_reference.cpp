@@ -29,7 +29,8 @@ std::vector<Point> vertex_normals(const FlatMesh& mesh) {
     const Point& b = mesh.points[f[1]];
     const Point& c = mesh.points[f[2]];
     const Point cross = (b - a) ^ (c - a);
-    if (cross.Norm() == 0) continue;
+    const double longest = std::max({(b - a).Norm(), (c - b).Norm(), (a - c).Norm()});
+    if (!(cross.Norm() > 1e-12 * longest * longest)) continue;  // a height that rounding left of none
     const Point face_normal = cross / cross.Norm();
     normal[f[0]] += face_normal * angle_at(a, b, c);
     normal[f[1]] += face_normal * angle_at(b, c, a);

@@ -22,6 +22,9 @@ struct SmoothingPath {
   /// is the same.
   double position_tolerance;
 
+  /// What rounding leaves of an offset whose exact value is 0, in |e|, on a mesh of some ten edges across.
+  double rounding;
+
   /// A distance this near to the cut-off, in |e|, may fall on either side of it.
   double clearance;
 
