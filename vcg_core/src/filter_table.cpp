@@ -1,10 +1,12 @@
 #include "filter_table.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "bmd_filter.h"
 #include "hc_filter.h"
 #include "jones_filter.h"
+#include "lanes/lane_filter.h"
 #include "laplacian_filter.h"
 #include "paper_filter.h"
 #include "taubin_filter.h"
@@ -14,8 +16,11 @@ namespace vcg_core::detail {
 namespace {
 
 FilterPass make_paper_pass() {
-  return [](const PassInput& in) {
-    return PassOutput{paper_pass(in.mesh, in.position, in.normal, in.movable, in.parameters, in.job)};
+  const auto lanes = std::make_shared<LanePass>();  // shared, as a FilterPass can be copied
+  return [lanes](const PassInput& in) {
+    if (in.parameters.arithmetic == Arithmetic::reference)
+      return PassOutput{paper_pass(in.mesh, in.position, in.normal, in.movable, in.parameters, in.job)};
+    return PassOutput{lanes->run(in)};
   };
 }
 

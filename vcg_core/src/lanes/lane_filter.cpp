@@ -1,0 +1,67 @@
+#include "lane_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <vcg_core/detail/job.h>
+
+#include "../paper_filter.h"
+#include "lane_kernels.h"
+#include "patch_builder.h"
+
+namespace vcg_core::detail {
+
+namespace {
+
+/// Gain, in |e|, that is passed on to the vertices around: a few units in the last place of a distance of ten edges.
+constexpr float tolerance = 4e-6f;
+
+LaneParameters lane_parameters(const SmoothingParameters& p) {
+  const double log2_e = 1.4426950408889634;
+  const double largest = 1e30;  // keeps zero times a coefficient zero
+  const double exponent = p.gaussian == GaussianForm::printed ? 1 : 2;
+  const double rho = std::min(p.rho * p.sigma_c, 1e14);
+  const auto rate = [&](double sigma, double factor) { return std::sqrt(log2_e / factor) / sigma; };
+  LaneParameters lanes;
+  lanes.cutoff = static_cast<float>(rho);
+  lanes.limit = static_cast<float>(rho + march_margin);
+  lanes.tolerance = tolerance;
+  lanes.closeness = static_cast<float>(std::min(std::pow(rate(p.sigma_c, exponent), 2), largest));
+  lanes.similarity = static_cast<float>(std::min(rate(p.sigma_s, exponent), std::sqrt(largest)));
+  lanes.normals = static_cast<float>(std::min(rate(p.sigma_n, 2), std::sqrt(largest)));
+  return lanes;
+}
+
+}  // namespace
+
+LanePass::LanePass() : LanePass(*supported_lane_kernels().front()) {}
+
+LanePass::LanePass(const LaneKernel& kernel) : kernel_(kernel) {}
+
+std::vector<Vec3> LanePass::run(const PassInput& in) {
+  if (!kept_) kept_ = Kept{make_rings(in.mesh, in.job), group_sources(in.mesh, in.movable, kernel_.lanes)};
+  const SourceGroups& groups = kept_->groups;
+  const LaneMesh lanes{in.mesh, kept_->ring, in.position, in.normal};
+  const LaneParameters constants = lane_parameters(in.parameters);
+  const double unit = in.mesh.topology.average_edge_length;
+  const double reach = in.parameters.rho * in.parameters.sigma_c + march_margin;
+  const LanePoll poll = [](void* chunks) { static_cast<Chunks*>(chunks)->poll(); };
+  std::vector<Vec3> moved = in.position;
+  in.job.parallel(groups.size(), 8, [&](Chunks& chunks) {
+    PatchBuilder builder(lanes, kernel_.lanes);
+    float offset[most_lanes];
+    while (chunks.next())
+      for (std::size_t g = chunks.begin(); g < chunks.end(); ++g) {
+        const Index* sources = groups.member.data() + groups.begin[g];
+        const std::uint32_t count = groups.begin[g + 1] - groups.begin[g];
+        const Patch& patch = builder.build(sources, count, reach);
+        kernel_.march(patch, constants, poll, &chunks);
+        kernel_.offsets(patch, constants, offset);
+        for (std::uint32_t lane = 0; lane < count; ++lane)
+          moved[sources[lane]] -= in.normal[sources[lane]] * (static_cast<double>(offset[lane]) * unit);
+      }
+  });
+  return moved;
+}
+
+}  // namespace vcg_core::detail

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "../filter.h"
+#include "patch.h"
+#include "ring.h"
+#include "source_groups.h"
+
+namespace vcg_core::detail {
+
+/// The paper's filter in single precision, for many vertices at once: the fast twin of paper_pass. Distances and
+/// weights are computed in floats relative to the middle of each group of sources, the new position in double. Keeps
+/// from pass to pass what depends on the connectivity and on which vertices may move.
+class LanePass {
+ public:
+  LanePass();
+  explicit LanePass(const LaneKernel& kernel);
+
+  std::vector<Vec3> run(const PassInput& in);
+
+ private:
+  struct Kept {
+    std::vector<RingFace> ring;
+    SourceGroups groups;
+  };
+
+  const LaneKernel& kernel_;
+  std::optional<Kept> kept_;
+};
+
+}  // namespace vcg_core::detail

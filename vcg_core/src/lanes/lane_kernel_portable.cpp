@@ -1,0 +1,16 @@
+#include "simd_portable.h"
+
+#include "lane_kernel.h"
+
+namespace vcg_core::detail {
+
+namespace {
+
+bool supported() { return true; }
+
+}  // namespace
+
+extern const LaneKernel portable_kernel;
+const LaneKernel portable_kernel = {"portable", Simd::lanes, supported, lane_march, lane_offsets};
+
+}  // namespace vcg_core::detail

@@ -1,0 +1,19 @@
+#include "lane_kernels.h"
+
+namespace vcg_core::detail {
+
+extern const LaneKernel avx512_kernel;
+extern const LaneKernel avx2_kernel;
+extern const LaneKernel portable_kernel;
+
+std::vector<const LaneKernel*> supported_lane_kernels() {
+  std::vector<const LaneKernel*> found;
+#if defined(__x86_64__)
+  if (avx512_kernel.supported()) found.push_back(&avx512_kernel);
+  if (avx2_kernel.supported()) found.push_back(&avx2_kernel);
+#endif
+  found.push_back(&portable_kernel);
+  return found;
+}
+
+}  // namespace vcg_core::detail

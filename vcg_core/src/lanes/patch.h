@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+
+namespace vcg_core::detail {
+
+/// How a face's improvement reaches its two other vertices: its bit among the faces of each.
+struct FaceMarks {
+  std::uint32_t of_row_1;
+  std::uint32_t of_row_2;
+};
+
+/// The shape of a face in |e| as seen from its apex v_i, as the virtual start point needs it (section 4.1). The frame
+/// differs from TriangleFrame in that its origin is the middle of the edge: the paper's test "the intersect falls in
+/// between" is then one comparison.
+struct FaceShape {
+  float half_edge;     ///< |v_{i+1} v_{i+2}| / 2; -1, with y 1, if there is no edge to cross
+  float half_inverse;  ///< 1 / (2 |v_{i+1} v_{i+2}|)
+  float squared_edge;
+  float x;  ///< the apex
+  float y;
+  float side_1;  ///< |v_i v_{i+1}|
+  float side_2;  ///< |v_i v_{i+2}|
+  float unused;  ///< makes it half a cache line
+};
+
+/// What a group of neighbouring sources, one a lane, needs to know of the mesh: the vertices around them ("rows"), by
+/// rising distance from the group's middle, and their faces. The layout is plain so that the kernels, which are
+/// compiled for other processors than the rest, share no inline code with it.
+struct Patch {
+  std::uint32_t rows;
+  std::uint32_t inner_rows;          ///< the first rows: as near to the middle as the sources themselves
+  const float* squared_radius;       ///< by row: squared distance from the middle, in |e|^2
+  const float* place[3];             ///< by row: x, y, z relative to the middle, in |e|
+  const float* normal[3];            ///< by row: unit normal, zero if undefined
+  const std::uint32_t* face_begin;   ///< rows + 1 offsets by face; a face's bit is its place behind the row's offset
+  const std::uint32_t* ready_faces;  ///< by row: the bits of the faces that lie behind the front when it gets there
+  // By face as seen from a row, its apex v_i. If only one of the two other vertices lies in the patch, both rows are
+  // that one's.
+  const std::uint32_t* apex;   ///< row of v_i
+  const std::uint32_t* row_1;  ///< row of v_{i+1}
+  const std::uint32_t* row_2;  ///< row of v_{i+2}
+  const FaceMarks* marks;
+  const std::uint32_t* source_row;  ///< by lane
+  std::uint32_t sources;            ///< lanes in use
+
+  // Work memory of the kernel.
+  FaceShape* shape;        ///< by face
+  float* distance;         ///< rows x lanes, aligned to 64 bytes: what the march leaves, in |e|
+  std::uint32_t* pending;  ///< by row: bits of the faces to be looked at again, as a vertex of theirs improved
+  std::uint64_t* dirty;    ///< a bit a row: it has pending faces
+};
+
+/// The filter's constants, in |e|.
+struct LaneParameters {
+  float cutoff;     ///< rho
+  float limit;      ///< rho + margin: beyond it distances are not followed
+  float tolerance;  ///< a smaller gain is not passed on
+  /// Weight = exp2(-(squared distance * closeness + (height * similarity)^2 + ((1 - n_i.n_j) * normals)^2)).
+  float closeness;
+  float similarity;
+  float normals;
+};
+
+/// Called now and then during long work; may throw.
+using LanePoll = void (*)(void* context);
+
+/// Marches from all sources of the patch at once and leaves the distances in patch.distance.
+using LaneMarch = void (*)(const Patch& patch, const LaneParameters& parameters, LanePoll poll, void* context);
+
+/// Section 6's offset of each lane's source, in |e|, from the distances that the march left.
+using LaneOffsets = void (*)(const Patch& patch, const LaneParameters& parameters, float* offset);
+
+/// A kernel compiled for one kind of processor.
+struct LaneKernel {
+  const char* name;
+  std::uint32_t lanes;
+  bool (*supported)();
+  LaneMarch march;
+  LaneOffsets offsets;
+};
+
+constexpr std::uint32_t most_lanes = 16;
+
+}  // namespace vcg_core::detail

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <vcg_core/detail/mesh_arrays.h>
+
+namespace vcg_core::detail {
+
+/// A face as seen from a vertex v of it.
+struct RingFace {
+  Index next;                     ///< the vertex that follows v in the face
+  Index previous;                 ///< the vertex that precedes it
+  std::uint8_t slot_at_next;      ///< place of the face among those of `next`, at most last_slot
+  std::uint8_t slot_at_previous;  ///< the same for `previous`
+};
+
+/// Sets of a vertex's faces are 32 bits; the last bit stands for all faces from there on.
+constexpr std::uint8_t last_slot = 31;
+
+/// The faces of all vertices in the order of MeshTopology::star, with what the march asks of them spelled out. Depends
+/// on the connectivity only.
+std::vector<RingFace> make_rings(const MeshArrays& mesh, Job& job);
+
+}  // namespace vcg_core::detail

@@ -1,0 +1,89 @@
+#include "source_groups.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vcg_core::detail {
+
+namespace {
+
+/// Grows groups over the mesh, each time by the vertex on the rim that lies nearest to the group's middle: compact
+/// groups have neighbourhoods that overlap most.
+class Grouper {
+ public:
+  Grouper(const MeshArrays& mesh, const std::vector<std::uint8_t>& wanted, std::uint32_t lanes)
+      : mesh_(mesh), lanes_(lanes), state_(mesh.size()) {
+    for (std::size_t v = 0; v < mesh.size(); ++v) state_[v] = wanted[v] ? State::left : State::taken;
+  }
+
+  SourceGroups run() {
+    groups_.begin.push_back(0);
+    for (Index seed = 0; seed < mesh_.size(); ++seed) {
+      if (state_[seed] != State::left) continue;
+      sum_ = Vec3::Zero();
+      grow_from(seed);
+      fill_up(seed);
+      groups_.begin.push_back(static_cast<Index>(groups_.member.size()));
+    }
+    return std::move(groups_);
+  }
+
+ private:
+  enum class State : std::uint8_t { taken, left, on_rim };
+
+  std::size_t group_size() const { return groups_.member.size() - groups_.begin.back(); }
+  bool full() const { return group_size() == lanes_; }
+
+  void grow_from(Index first) {
+    rim_.clear();
+    take(first);
+    while (!full() && !rim_.empty()) {
+      const Vec3 middle = sum_ / static_cast<double>(group_size());
+      const auto distance = [&](Index v) { return (mesh_.position[v] - middle).squaredNorm(); };
+      const auto nearest =
+          std::min_element(rim_.begin(), rim_.end(), [&](Index a, Index b) { return distance(a) < distance(b); });
+      const Index v = *nearest;
+      *nearest = rim_.back();
+      rim_.pop_back();
+      take(v);
+    }
+    for (const Index v : rim_) state_[v] = State::left;
+  }
+
+  /// A group that is walled in by others takes in what is left near by, in the mesh's order.
+  void fill_up(Index seed) {
+    constexpr double hops_apart = 4;
+    constexpr Index look_ahead = 256;
+    const double far = hops_apart * mesh_.topology.average_edge_length;
+    for (Index v = seed + 1; v < mesh_.size() && v - seed < look_ahead && !full(); ++v)
+      if (state_[v] == State::left && (mesh_.position[v] - mesh_.position[seed]).norm() < far) grow_from(v);
+  }
+
+  void take(Index v) {
+    state_[v] = State::taken;
+    groups_.member.push_back(v);
+    sum_ += mesh_.position[v];
+    const MeshTopology& topology = mesh_.topology;
+    for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
+      const Index other = vertex_of(mesh_, next_in_face(topology.star[s]));
+      if (state_[other] != State::left) continue;
+      state_[other] = State::on_rim;
+      rim_.push_back(other);
+    }
+  }
+
+  const MeshArrays& mesh_;
+  std::uint32_t lanes_;
+  std::vector<State> state_;
+  SourceGroups groups_;
+  Vec3 sum_ = Vec3::Zero();
+  std::vector<Index> rim_;
+};
+
+}  // namespace
+
+SourceGroups group_sources(const MeshArrays& mesh, const std::vector<std::uint8_t>& wanted, std::uint32_t lanes) {
+  return Grouper(mesh, wanted, lanes).run();
+}
+
+}  // namespace vcg_core::detail

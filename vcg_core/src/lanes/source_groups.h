@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <vcg_core/detail/mesh_arrays.h>
+
+namespace vcg_core::detail {
+
+/// Vertices in groups of up to `lanes` that lie close together: group g is member[begin[g]] to member[begin[g + 1]].
+struct SourceGroups {
+  std::vector<Index> member;
+  std::vector<Index> begin;
+
+  std::size_t size() const { return begin.size() - 1; }
+};
+
+/// Groups the vertices that are wanted, growing each group along the mesh from the lowest vertex left.
+SourceGroups group_sources(const MeshArrays& mesh, const std::vector<std::uint8_t>& wanted, std::uint32_t lanes);
+
+}  // namespace vcg_core::detail
