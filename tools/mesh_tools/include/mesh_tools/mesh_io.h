@@ -39,14 +39,16 @@ struct MeshFile {
 };
 
 /// Reads PLY, OBJ, OFF or STL, told by the extension. PLY and STL are read by vcglib's importers, after a check of the
-/// whole file, for these trust what they read. OBJ and OFF are read by readers of our own: the OBJ importer of vcglib
-/// 2020.09 drops every face that refers to vertex 1, its OFF importer does not check indices.
+/// whole file, for these trust what they read. OBJ and OFF are read by readers of our own: vcglib's OBJ importer of
+/// MeshLab 2020.09 drops every face that refers to the first vertex, its OFF importer does not check indices.
 /// Polygons are cut into fans of triangles. STL knows no shared vertices: those at exactly the same place are merged.
 /// @throws FileError
 MeshFile read_mesh(const std::filesystem::path& path);
 
-/// Writes PLY (binary), OBJ, OFF or STL (binary), told by the extension. The file appears complete or not at all: it is
-/// written beside its place, checked, and renamed. Text has the digits that give the same number back.
+/// Writes PLY (binary), OBJ, OFF or STL (binary), told by the extension. STL is written by vcglib's exporter, the
+/// others by writers of our own: vcglib's OBJ and OFF lose digits, its PLY is wrong for some attributes in double
+/// precision. The file appears complete or not at all: it is written beside its place, checked, and renamed. Text has
+/// the digits that give the same number back.
 /// @param interrupted  asked just before the renaming; true: stop, leave nothing
 /// @return             sentences about attributes that the format cannot hold
 /// @throws FileError, WriteInterrupted

@@ -32,7 +32,7 @@ constexpr int vertex_normal = 0x10, vertex_color = 0x4, vertex_quality = 0x8, ve
               wedge_texture = 0x1000, wedge_texture_index = 0x2000, edges = 0x80000, camera = 0x8000;
 constexpr int ply_attributes = vertex_normal | vertex_color | vertex_quality | vertex_texture | vertex_flags |
                                vertex_radius | face_flags | face_color | face_quality | face_normal | wedge_texture |
-                               wedge_texture_index | edges | camera;
+                               wedge_texture_index | edges;
 constexpr int obj_attributes = vertex_normal | vertex_color | wedge_texture | wedge_texture_index | face_color | edges;
 constexpr int off_attributes = vertex_normal | vertex_color | face_color;
 constexpr int stl_attributes = face_color;

@@ -264,10 +264,7 @@ class ObjText {
     return material;
   }
 
-  template <class Scalar>
-  void append(Scalar value) {
-    append_number(text_ += ' ', value);
-  }
+  void append(double value) { append_number(text_ += ' ', value); }
 
   void append_vertices() {
     number_.resize(mesh_.vert.size());
@@ -279,7 +276,7 @@ class ObjText {
       text_ += 'v';
       for (int k = 0; k < 3; ++k) append(vertex.cP()[k]);
       if (attributes_ & vertex_color)
-        for (int k = 0; k < 3; ++k) append(static_cast<float>(vertex.cC()[k]) / 255);
+        for (int k = 0; k < 3; ++k) append(vertex.cC()[k] / 255.0);
       text_ += '\n';
       if (!(attributes_ & vertex_normal)) continue;
       text_ += "vn";
@@ -323,8 +320,8 @@ std::string material_text(const std::map<FaceMaterial, std::size_t>& materials) 
   std::string text;
   for (const auto& [material, number] : materials) {
     text += "newmtl material_" + std::to_string(number) + "\nKd";
-    for (int k = 0; k < 3; ++k) append_number(text += ' ', static_cast<float>(material.color[k]) / 255);
-    append_number(text += "\nTr ", static_cast<float>(material.color[3]) / 255);  // the opacity, as in MeshLab
+    for (int k = 0; k < 3; ++k) append_number(text += ' ', material.color[k] / 255.0);
+    append_number(text += "\nTr ", material.color[3] / 255.0);  // the opacity, as in MeshLab
     text += '\n';
     if (!material.texture.empty()) text += "map_Kd " + material.texture + "\n";
   }

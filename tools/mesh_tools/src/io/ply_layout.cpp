@@ -233,4 +233,36 @@ void check_ply_data(const std::string& bytes, const PlyLayout& layout, const std
     check_binary(bytes, layout, path);
 }
 
+std::string to_little_endian(const std::string& bytes, const PlyLayout& layout) {
+  std::string result = bytes;
+  std::size_t at = layout.data_offset;
+  const auto turn = [&](Type type) {
+    const std::size_t size = size_of(type);
+    std::reverse(result.begin() + static_cast<std::ptrdiff_t>(at),
+                 result.begin() + static_cast<std::ptrdiff_t>(at + size));
+    at += size;
+  };
+  for (const auto& element : layout.elements) {
+    for (std::size_t row = 0; row < element.count; ++row) {
+      for (const auto& property : element.properties) {
+        std::int64_t count = 1;
+        if (property.is_list) {
+          count = read_integer(bytes.data() + at, property.count_type, true);
+          turn(property.count_type);
+        }
+        for (std::int64_t k = 0; k < count; ++k) turn(property.type);
+      }
+    }
+  }
+  const std::string word = "binary_big_endian";
+  return result.replace(result.find(word), word.size(), "binary_little_endian");
+}
+
+bool is_big_endian_machine() {
+  const std::uint16_t one = 1;
+  unsigned char first = 0;
+  std::memcpy(&first, &one, 1);
+  return first == 0;
+}
+
 }  // namespace mesh_tools::io

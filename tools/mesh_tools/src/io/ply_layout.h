@@ -40,4 +40,9 @@ PlyLayout parse_ply_header(const std::string& bytes, const std::filesystem::path
 /// buffers of vcglib's reader.
 void check_ply_data(const std::string& bytes, const PlyLayout& layout, const std::filesystem::path& path);
 
+/// The same file with its numbers turned to little endian. The data must have passed check_ply_data().
+std::string to_little_endian(const std::string& bytes, const PlyLayout& layout);
+
+bool is_big_endian_machine();
+
 }  // namespace mesh_tools::io

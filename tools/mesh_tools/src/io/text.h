@@ -34,9 +34,8 @@ class LineReader {
   std::string joined_;
 };
 
-/// The shortest text that gives the same number back.
-template <class Scalar>
-void append_number(std::string& text, Scalar value) {
+/// The shortest text that gives the same double back; so a float is the same number to readers of either precision.
+inline void append_number(std::string& text, double value) {
   char digits[64];
   text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
 }

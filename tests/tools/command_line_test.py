@@ -1,0 +1,370 @@
+"""The command line from end to end: exit statuses, messages, files. ANISOSMOOTH names the program."""
+
+import json
+import math
+import os
+import pty
+import shutil
+import signal
+import struct
+import subprocess
+import tempfile
+import time
+import unittest
+
+PROGRAM = os.path.abspath(os.environ["ANISOSMOOTH"])
+
+
+def read_ply(path):
+    """Vertex rows as dicts and the raw face data of a binary PLY file, as this program writes it."""
+    with open(path, "rb") as file:
+        data = file.read()
+    head, body = data.split(b"end_header\n", 1)
+    formats = {"float": "f", "double": "d", "int": "i", "uchar": "B"}
+    count, names, layout, in_vertex = 0, [], "<", False
+    for line in head.decode().splitlines():
+        words = line.split()
+        if words[0] == "element":
+            in_vertex = words[1] == "vertex"
+            count = int(words[2]) if in_vertex else count
+        elif words[0] == "property" and in_vertex:
+            names.append(words[2])
+            layout += formats[words[1]]
+    size = struct.calcsize(layout)
+    rows = [dict(zip(names, struct.unpack_from(layout, body, i * size))) for i in range(count)]
+    return head, rows, body[count * size:]
+
+
+class CommandLine(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def run_tool(self, *arguments, status=0):
+        result = subprocess.run([PROGRAM, *arguments], cwd=self.folder, capture_output=True, text=True, timeout=60)
+        self.assertEqual(result.returncode, status, f"{arguments}: {result.stdout}{result.stderr}")
+        return result
+
+    def noisy(self, shape="cad_part", vertices="3000", *options):
+        self.run_tool("generate", shape, "clean.ply", "--vertices", vertices, *options)
+        self.run_tool("noise", "clean.ply", "noisy.ply", "--level", "0.2", "--seed", "3")
+
+    def bytes_of(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def expect_failure(self, *arguments, says, status=1):
+        """One line on stderr, nothing on stdout, no file made or changed."""
+        before = {name: self.bytes_of(name) for name in os.listdir(self.folder)}
+        result = self.run_tool(*arguments, status=status)
+        self.assertEqual(result.stdout, "")
+        for text in says if isinstance(says, tuple) else (says,):
+            self.assertIn(text, result.stderr)
+        if status == 1:
+            self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        self.assertEqual({name: self.bytes_of(name) for name in os.listdir(self.folder)}, before)
+
+    # what works
+
+    def test_smoothing_brings_the_mesh_nearer_to_the_truth(self):
+        self.noisy()
+        self.run_tool("smooth", "noisy.ply", "smooth.ply")
+        figures = {}
+        for name in ("noisy", "smooth"):
+            output = self.run_tool("measure", f"{name}.ply", "clean.ply", "--noisy", "noisy.ply", "--json").stdout
+            figures[name] = json.loads(output)
+        for key in ("normal_error_mean", "sharp_normal_error_mean", "distance_rms", "reverse_distance_rms"):
+            self.assertLess(figures["smooth"][key], 0.7 * figures["noisy"][key], key)
+        self.assertLess(figures["smooth"]["tangential_drift"], 1e-3, "vertices move along their normals")
+        self.assertEqual(sorted(os.listdir(self.folder)), ["clean.ply", "noisy.ply", "smooth.ply"])
+
+    def test_report(self):
+        self.noisy()
+        self.run_tool("smooth", "noisy.ply", "smooth.ply", "--sigma-c", "3", "--rho", "1.5", "--report", "report.json")
+        report = json.loads(self.bytes_of("report.json"))
+        self.assertEqual(report["method"], "paper")
+        self.assertEqual(report["parameters"]["sigma_c"], 3)
+        self.assertEqual(report["parameters"]["boundary"], "fixed")
+        e = report["average_edge_length"]
+        self.assertAlmostEqual(report["sigma_c_length"] / e, 3)
+        self.assertAlmostEqual(report["rho_length"] / e, 4.5)
+        _, before, _ = read_ply(self.path("noisy.ply"))
+        _, after, _ = read_ply(self.path("smooth.ply"))
+        moves = [math.dist([a[k] for k in "xyz"], [b[k] for k in "xyz"]) for a, b in zip(before, after)]
+        self.assertEqual(report["vertices"], len(moves))
+        self.assertEqual(report["moved_vertices"], sum(move > 0 for move in moves))
+        self.assertAlmostEqual(report["max_displacement"], max(moves), delta=1e-6)
+        self.assertEqual(report["skipped_vertices"], {"isolated": 0, "undefined_normal": 0, "empty_neighbourhood": 0})
+        for key in ("fixed_vertices", "rms_displacement", "volume_before", "volume_after", "sigma_s_length"):
+            self.assertIn(key, report)
+
+    def test_every_method_of_the_help_runs(self):
+        self.noisy("cube", "400")
+        self.run_tool("smooth", "--help")
+        bad = self.run_tool("smooth", "noisy.ply", "x.ply", "--method", "none", status=1).stderr
+        methods = bad.split("allowed are ")[1].strip().split(", ")
+        self.assertIn("paper", methods)
+        results = set()
+        for method in methods:
+            self.run_tool("smooth", "noisy.ply", "x.ply", "--method", method, "--quiet")
+            results.add(self.bytes_of("x.ply"))
+        self.assertEqual(len(results), len(methods), "all methods differ")
+
+    def test_printed_gaussian_threads_and_boundary_have_their_effect(self):
+        self.noisy("plane_delaunay", "1000")
+        def smooth(*options):
+            self.run_tool("smooth", "noisy.ply", "x.ply", "--quiet", *options)
+            return self.bytes_of("x.ply")
+        plain = smooth()
+        self.assertEqual(smooth("--threads", "3"), plain)
+        self.assertEqual(smooth("--gaussian", "standard_deviation", "--boundary", "fixed"), plain)
+        self.assertNotEqual(smooth("--gaussian", "printed"), plain)
+        self.assertNotEqual(smooth("--boundary", "free"), plain)
+        self.assertNotEqual(smooth("--iterations", "2"), plain)
+
+    def test_result_may_replace_the_input(self):
+        self.noisy()
+        self.run_tool("smooth", "noisy.ply", "other.ply")
+        self.run_tool("smooth", "noisy.ply", "noisy.ply")
+        self.assertEqual(self.bytes_of("noisy.ply"), self.bytes_of("other.ply"))
+
+    def test_precision_of_the_input_is_kept(self):
+        for options, kind in (([], b"property float x"), (["--double"], b"property double x")):
+            self.noisy("cube", "400", *options)
+            self.assertIn(kind, self.bytes_of("clean.ply"))
+            self.run_tool("smooth", "noisy.ply", "smooth.ply")
+            self.assertIn(kind, self.bytes_of("smooth.ply"))
+
+    def test_formats_convert_and_agree(self):
+        self.noisy("cube", "400", "--double")
+        self.run_tool("smooth", "noisy.ply", "smooth.ply")
+        for kind in ("obj", "off"):
+            self.run_tool("noise", "noisy.ply", f"noisy.{kind}", "--level", "0")
+            self.run_tool("smooth", f"noisy.{kind}", f"smooth_{kind}.ply")
+            self.assertEqual(self.bytes_of(f"smooth_{kind}.ply"), self.bytes_of("smooth.ply"), kind)
+        self.run_tool("noise", "noisy.ply", "noisy.stl", "--level", "0")
+        self.run_tool("smooth", "noisy.stl", "smooth.stl")
+        self.assertGreater(os.path.getsize(self.path("smooth.stl")), 84)
+
+    def test_attributes_come_through_byte_for_byte(self):
+        self.noisy("cube", "400")
+        self.run_tool("geodesic", "noisy.ply", "colored.ply", "--start-vertex", "0")
+        self.run_tool("smooth", "colored.ply", "smooth.ply")
+        head, before, faces = read_ply(self.path("colored.ply"))
+        new_head, after, new_faces = read_ply(self.path("smooth.ply"))
+        self.assertEqual(head, new_head)
+        self.assertEqual(faces, new_faces)
+        for a, b in zip(before, after):
+            self.assertEqual({**a, "x": 0, "y": 0, "z": 0}, {**b, "x": 0, "y": 0, "z": 0})
+
+    def selection(self):
+        """A plane of which the faces of the left half are selected."""
+        n, selected_flag = 12, 0x20
+        points = [(x / n, y / n, 0.01 * math.sin(37 * x + 91 * y)) for y in range(n + 1) for x in range(n + 1)]
+        faces = []
+        for y in range(n):
+            for x in range(n):
+                a = y * (n + 1) + x
+                flags = selected_flag if x < n // 2 else 0
+                faces += [(a, a + 1, a + n + 2, flags), (a, a + n + 2, a + n + 1, flags)]
+        with open(self.path("selected.ply"), "w") as file:
+            file.write("ply\nformat ascii 1.0\n"
+                       f"element vertex {len(points)}\nproperty float x\nproperty float y\nproperty float z\n"
+                       f"element face {len(faces)}\nproperty list uchar int vertex_indices\nproperty int flags\n"
+                       "end_header\n")
+            file.writelines("%r %r %r\n" % p for p in points)
+            file.writelines("3 %d %d %d %d\n" % f for f in faces)
+        return n, points
+
+    def test_a_selection_in_the_file_is_obeyed_unless_told_otherwise(self):
+        n, points = self.selection()
+        def moved(*options):
+            result = self.run_tool("smooth", "selected.ply", "x.ply", "--boundary", "free", *options)
+            _, rows, _ = read_ply(self.path("x.ply"))
+            return result, [abs(row["z"] - struct.unpack("f", struct.pack("f", p[2]))[0]) > 0
+                            for row, p in zip(rows, points)]
+        result, by_default = moved()
+        self.assertIn("has a selection", result.stderr)
+        expected = [x <= n // 2 for _ in range(n + 1) for x in range(n + 1)]
+        for moves, may in zip(by_default, expected):
+            self.assertLessEqual(moves, may)
+        self.assertGreater(sum(by_default), 0.9 * sum(expected))
+        self.assertEqual(moved("--selected")[1], by_default)
+        self.assertGreater(sum(moved("--no-selected")[1]), 1.5 * sum(by_default))
+
+    def test_geodesic_writes_distance_and_colour(self):
+        self.run_tool("generate", "plane_slash", "plane.ply", "--vertices", "400", "--double")
+        self.run_tool("geodesic", "plane.ply", "out.ply", "--start-vertex", "0", "--isolines", "5")
+        _, rows, _ = read_ply(self.path("out.ply"))
+        for row in rows:
+            self.assertAlmostEqual(row["quality"], math.hypot(row["x"], row["y"]), delta=1e-14)
+        colors = {(row["red"], row["green"], row["blue"]) for row in rows}
+        self.assertGreater(len(colors), 20)
+        self.run_tool("geodesic", "plane.ply", "plain.ply", "--start-vertex", "0", "--isolines", "0")
+        self.assertNotEqual(self.bytes_of("plain.ply"), self.bytes_of("out.ply"))
+
+    def test_noise_is_the_same_for_the_same_seed(self):
+        self.noisy()
+        first = self.bytes_of("noisy.ply")
+        self.run_tool("noise", "clean.ply", "again.ply", "--level", "0.2", "--seed", "3")
+        self.assertEqual(self.bytes_of("again.ply"), first)
+        self.run_tool("noise", "clean.ply", "other.ply", "--level", "0.2", "--seed", "4")
+        self.assertNotEqual(self.bytes_of("other.ply"), first)
+        self.run_tool("noise", "clean.ply", "any.ply", "--level", "0.2", "--seed", "3", "--direction", "any")
+        self.assertNotEqual(self.bytes_of("any.ply"), first)
+
+    def test_measure_prints_a_table_for_people(self):
+        self.noisy("cube", "400")
+        output = self.run_tool("measure", "noisy.ply", "clean.ply", "--noisy", "noisy.ply").stdout
+        for text in ("face normal error", "at sharp edges", "volume change", "flipped faces", "tangential drift"):
+            self.assertIn(text, output)
+
+    def test_measure_of_planes_has_no_volume(self):
+        self.run_tool("generate", "plane_slash", "plane.ply", "--vertices", "100")
+        figures = json.loads(self.run_tool("measure", "plane.ply", "plane.ply", "--json").stdout)
+        self.assertIsNone(figures["volume_change_percent"])
+        self.assertNotIn("tangential_drift", figures)
+
+    def test_quiet_prints_nothing(self):
+        self.noisy("cube", "400")
+        for arguments in (["smooth", "noisy.ply", "x.ply"], ["geodesic", "noisy.ply", "x.ply", "--start-vertex", "1"],
+                          ["noise", "noisy.ply", "x.ply", "--level", "0.1"], ["generate", "cube", "x.ply"]):
+            result = self.run_tool(*arguments, "--quiet")
+            self.assertEqual(result.stdout + result.stderr, "", arguments)
+
+    def test_warnings_go_to_stderr(self):
+        self.noisy("cube", "400")
+        result = self.run_tool("smooth", "noisy.ply", "x.ply", "--method", "laplacian", "--sigma-n", "0.1", "--quiet")
+        self.assertIn("sigma_n has no effect with method laplacian", result.stderr)
+
+    def test_help_and_version(self):
+        self.assertIn("smooth", self.run_tool("--help").stdout)
+        self.assertRegex(self.run_tool("--version").stdout, r"^\d+\.\d+\.\d+\n$")
+        text = self.run_tool("generate", "--help").stdout
+        for shape in ("plane_slash", "plane_delaunay", "sphere", "torus", "cube", "stepped_block", "cad_part",
+                      "thin_plate", "thin_sheets", "graded_cube"):
+            self.assertIn(shape, text)
+            self.run_tool("generate", shape, "x.ply", "--vertices", "1000")
+
+    # what fails
+
+    def test_wrong_command_lines(self):
+        self.noisy("cube", "400")
+        for arguments in ([], ["polish"], ["smooth"], ["smooth", "noisy.ply"], ["smooth", "noisy.ply", "x.ply", "more"],
+                          ["smooth", "noisy.ply", "x.ply", "--sigma-d", "1"],
+                          ["smooth", "noisy.ply", "x.ply", "--sigma-c", "two"],
+                          ["smooth", "noisy.ply", "x.ply", "--iterations", "1.5"],
+                          ["smooth", "noisy.ply", "x.ply", "--sigma-c"], ["geodesic", "noisy.ply", "x.ply"],
+                          ["noise", "noisy.ply", "x.ply"], ["measure", "noisy.ply"], ["generate", "cube"]):
+            self.expect_failure(*arguments, says="help", status=2)
+
+    def test_bad_parameters(self):
+        self.noisy("cube", "400")
+        smooth = ("smooth", "noisy.ply", "x.ply")
+        for option in ("--sigma-c", "--sigma-s", "--sigma-n", "--rho"):
+            for value in ("0", "-1", "nan", "inf"):
+                name = option[2:].replace("-", "_")
+                self.expect_failure(*smooth, option, value, says=(name + " is ", "greater than 0"))
+        self.expect_failure(*smooth, "--iterations", "0", says=("iterations is 0", "1 or more"))
+        self.expect_failure(*smooth, "--threads", "-1", says=("threads is -1", "0"))
+        self.expect_failure(*smooth, "--method", "magic", says=("'magic'", "allowed are paper"))
+        self.expect_failure(*smooth, "--boundary", "loose", says=("'loose'", "fixed and free"))
+        self.expect_failure(*smooth, "--gaussian", "bell", says=("'bell'", "printed"))
+        geodesic = ("geodesic", "noisy.ply", "x.ply", "--start-vertex")
+        self.expect_failure(*geodesic, "-1", says=("start_vertex is -1", "allowed are 0 to"))
+        self.expect_failure(*geodesic, "400000", says=("start_vertex is 400000", "allowed are 0 to"))
+        self.expect_failure(*geodesic, "0", "--isolines", "-1", says=("isolines is -1", "0 or more"))
+        self.expect_failure("geodesic", "noisy.ply", "x.obj", "--start-vertex", "0", says=".ply")
+        self.expect_failure("noise", "noisy.ply", "x.ply", "--level", "-0.1", says=("level is -0.1", "0 or more"))
+        self.expect_failure("noise", "noisy.ply", "x.ply", "--level", "0.1", "--direction", "up", says="'up'")
+        self.expect_failure("generate", "pyramid", "x.ply", says=("'pyramid'", "stepped_block"))
+        self.expect_failure("generate", "cube", "x.ply", "--vertices", "0", says=("vertices is 0", "allowed are 1 to"))
+
+    def test_bad_files(self):
+        self.noisy("cube", "400")
+        with open(self.path("points.ply"), "w") as file:
+            file.write("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+                       "end_header\n0 0 0\n")
+        with open(self.path("nan.off"), "w") as file:
+            file.write("OFF\n3 1 0\n0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n")
+        with open(self.path("cut.ply"), "wb") as file:
+            file.write(self.bytes_of("noisy.ply")[:-100])
+        self.expect_failure("smooth", "none.ply", "x.ply", says=("none.ply", "does not exist"))
+        self.expect_failure("smooth", "noisy.ply", "x.3ds", says=("x.3ds", "allowed are .ply"))
+        self.expect_failure("smooth", "noisy.ply", "none/x.ply", says=("none/x.ply", "no folder"))
+        self.expect_failure("smooth", "cut.ply", "x.ply", says=("cut.ply", "cut off"))
+        self.expect_failure("smooth", "points.ply", "x.ply", says="no faces")
+        self.expect_failure("smooth", "nan.off", "x.ply", says="finite")
+        self.expect_failure("smooth", "noisy.ply", "x.ply", "--report", "none/r.json", says="none/r.json")
+        self.expect_failure("smooth", "noisy.ply", "x.ply", "--report", "x.ply", says="another file")
+        self.expect_failure("measure", "noisy.ply", "points.ply", says="no faces")
+        self.run_tool("generate", "cube", "other.ply", "--vertices", "500")
+        self.expect_failure("measure", "noisy.ply", "other.ply", says="same connectivity")
+
+    def test_an_existing_output_survives_failure(self):
+        self.noisy("cube", "400")
+        with open(self.path("x.ply"), "w") as file:
+            file.write("precious")
+        self.expect_failure("smooth", "noisy.ply", "x.ply", "--sigma-c", "-1", says="sigma_c")
+        self.expect_failure("smooth", "none.ply", "x.ply", says="none.ply")
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
+    def test_protected_places(self):
+        self.noisy("cube", "400")
+        os.mkdir(self.path("locked"))
+        os.chmod(self.path("locked"), 0o500)
+        self.addCleanup(os.chmod, self.path("locked"), 0o700)
+        self.run_tool("smooth", "noisy.ply", "locked/x.ply", status=1)
+
+    # interruption and progress
+
+    def interrupt(self, number, delay):
+        process = subprocess.Popen([PROGRAM, "smooth", "noisy.ply", "x.ply", "--sigma-c", "8", "--iterations", "50"],
+                                   cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        time.sleep(delay)
+        process.send_signal(number)
+        start = time.monotonic()
+        output = process.communicate(timeout=20)
+        self.assertEqual(process.returncode, 130, output)
+        return time.monotonic() - start
+
+    def test_interruption(self):
+        self.noisy("cad_part", "20000")
+        with open(self.path("x.ply"), "w") as file:
+            file.write("precious")
+        before = sorted(os.listdir(self.folder))
+        for number in (signal.SIGINT, signal.SIGTERM):
+            self.assertLess(self.interrupt(number, 1.0), 5)
+            self.assertEqual(self.bytes_of("x.ply"), b"precious")
+            self.assertEqual(sorted(os.listdir(self.folder)), before)
+
+    def test_progress_is_a_bar_on_a_terminal_only(self):
+        self.noisy("cad_part", "20000")
+        arguments = [PROGRAM, "smooth", "noisy.ply", "x.ply", "--sigma-c", "6", "--iterations", "8", "--threads", "1"]
+        leader, follower = pty.openpty()
+        process = subprocess.Popen(arguments, cwd=self.folder, stdout=subprocess.PIPE, stderr=follower)
+        os.close(follower)
+        seen = b""
+        while b"%" not in seen:
+            try:
+                seen += os.read(leader, 4096)
+            except OSError:
+                break
+        process.send_signal(signal.SIGINT)
+        while True:
+            try:
+                if not os.read(leader, 4096):
+                    break
+            except OSError:
+                break
+        process.communicate(timeout=30)
+        os.close(leader)
+        self.assertRegex(seen.decode(), r"\[#*\.*\] +\d+ %")
+        self.assertEqual(self.run_tool("smooth", "noisy.ply", "x.ply").stderr, "")
+
+
+if __name__ == "__main__":
+    unittest.main()
