@@ -29,6 +29,7 @@ std::function<void()> declare_smooth(CLI::App& app);
 std::function<void()> declare_geodesic(CLI::App& app);
 std::function<void()> declare_noise(CLI::App& app);
 std::function<void()> declare_measure(CLI::App& app);
+std::function<void()> declare_compare(CLI::App& app);
 std::function<void()> declare_generate(CLI::App& app);
 
 /// One line each on stderr.

@@ -22,6 +22,7 @@ constexpr Command commands[] = {
     {"geodesic", "Geodesic distances from a vertex, as vertex quality and colour", declare_geodesic},
     {"noise", "Add Gaussian noise to the vertices", declare_noise},
     {"measure", "Compare a result with the truth", declare_measure},
+    {"compare", "The six methods of the paper's Table 1 side by side: meshes, figures, pictures", declare_compare},
     {"generate", "Make a test shape", declare_generate},
 };
 

@@ -4,13 +4,14 @@
 #include <optional>
 
 #include <mesh_tools/mesh_io.h>
-#include <vcg_core/smoothing.h>
+#include <vcg_core/smoothing_parameters.h>
 
 #include "command.h"
 #include "interrupt.h"
 #include "json_figures.h"
 #include "mesh_output.h"
 #include "progress_bar.h"
+#include "smooth_file.h"
 
 namespace anisosmooth {
 namespace {
@@ -84,18 +85,6 @@ bool has_selection(const mesh_tools::Mesh& mesh) {
   return false;
 }
 
-/// Smooths in the precision of the file, so that the result is bit for bit what a host with that precision gets.
-SmoothingReport smooth_file(mesh_tools::MeshFile& file, const MethodInfo& method, const SmoothingParameters& parameters,
-                            const vcg_core::Progress& progress) {
-  if (file.precision == mesh_tools::Precision::double_precision)
-    return vcg_core::smooth(file.mesh, method.method, parameters, progress);
-  mesh_tools::MeshF mesh;
-  mesh_tools::convert(file.mesh, mesh);
-  const SmoothingReport report = vcg_core::smooth(mesh, method.method, parameters, progress);
-  mesh_tools::convert(mesh, file.mesh);
-  return report;
-}
-
 void print_summary(const Options& options, const MethodInfo& method, const SmoothingReport& report) {
   std::cout << method.title << "\n";
   std::cout << "average edge length " << report.average_edge_length;
@@ -132,7 +121,7 @@ void run(const Options& options) {
   {
     const CooperativeInterrupt scope;
     ProgressBar bar(options.quiet);
-    report = smooth_file(file, method, parameters, bar.callback());
+    report = smooth_file(file, method.method, parameters, bar.callback()).report;
   }
   if (file.attributes & mesh_tools::normal_attributes) mesh_tools::update_normals(file.mesh);
   write_output(file, options.output);

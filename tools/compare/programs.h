@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace anisosmooth {
+
+/// Whether a program is on the PATH.
+bool has_program(const std::string& name);
+
+/// Runs a program, without a shell, in `folder`, with its output going to the file `log` there.
+/// @return  its exit status, or 128 + the signal that ended it
+/// @throws std::runtime_error if it cannot be started
+int run_program(const std::vector<std::string>& command, const std::filesystem::path& folder, const std::string& log);
+
+}  // namespace anisosmooth
