@@ -76,8 +76,9 @@ class CommandLine(unittest.TestCase):
         for name in ("noisy", "smooth"):
             output = self.run_tool("measure", f"{name}.ply", "clean.ply", "--noisy", "noisy.ply", "--json").stdout
             figures[name] = json.loads(output)
-        for key in ("normal_error_mean", "sharp_normal_error_mean", "distance_rms", "reverse_distance_rms"):
-            self.assertLess(figures["smooth"][key], 0.7 * figures["noisy"][key], key)
+        for key, part in (("normal_error_mean", 0.7), ("sharp_normal_error_mean", 0.7), ("distance_rms", 0.7),
+                          ("reverse_distance_rms", 0.9)):
+            self.assertLess(figures["smooth"][key], part * figures["noisy"][key], key)
         self.assertLess(figures["smooth"]["tangential_drift"], 1e-3, "vertices move along their normals")
         self.assertEqual(sorted(os.listdir(self.folder)), ["clean.ply", "noisy.ply", "smooth.ply"])
 
@@ -194,6 +195,7 @@ class CommandLine(unittest.TestCase):
         self.assertGreater(sum(by_default), 0.9 * sum(expected))
         self.assertEqual(moved("--selected")[1], by_default)
         self.assertGreater(sum(moved("--no-selected")[1]), 1.5 * sum(by_default))
+        self.expect_failure("smooth", "selected.ply", "y.ply", "--selected", "--no-selected", says="help", status=2)
 
     def test_geodesic_writes_distance_and_colour(self):
         self.run_tool("generate", "plane_slash", "plane.ply", "--vertices", "400", "--double")

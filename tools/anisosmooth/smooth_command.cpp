@@ -27,7 +27,7 @@ struct Options {
   std::string method = "paper", boundary = "fixed", gaussian = "standard_deviation";
   std::optional<double> sigma_c, sigma_s, sigma_n, rho;
   std::optional<int> iterations;
-  std::optional<bool> selected;
+  std::optional<bool> selected;  // empty: if the file has a selection
   int threads = 0;
   bool quiet = false;
 };
@@ -161,8 +161,12 @@ std::function<void()> declare_smooth(CLI::App& app) {
   app.add_option("--iterations", options->iterations,
                  "Number of passes; >= 1 [default 1; the other filters have their own]");
   app.add_option("--boundary", options->boundary, "Whether border vertices move: fixed or free")->capture_default_str();
-  app.add_flag("--selected,!--no-selected", options->selected,
-               "Move only selected vertices and those of selected faces [default: if the file has a selection]");
+  CLI::Option* selected = app.add_flag_callback(
+      "--selected", [options] { options->selected = true; },
+      "Move only selected vertices and those of selected faces [default: if the file has a selection]");
+  app.add_flag_callback(
+         "--no-selected", [options] { options->selected = false; }, "Move all vertices")
+      ->excludes(selected);
   app.add_option("--gaussian", options->gaussian,
                  "Exponent of the weights: standard_deviation, or printed as in the paper's formulas")
       ->capture_default_str();
