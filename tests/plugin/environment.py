@@ -6,11 +6,11 @@ import shutil
 import subprocess
 import time
 
-PLUGIN = pathlib.Path(os.environ["ANISO_PLUGIN"])
+PLUGIN = pathlib.Path(os.environ["ANISO_PLUGIN"]) if "ANISO_PLUGIN" in os.environ else None
 TOOL = pathlib.Path(os.environ["ANISO_TOOL"])
 SOURCE = pathlib.Path(os.environ["ANISO_SOURCE"])
 WORK = pathlib.Path(os.environ["ANISO_WORK"])
-LIBRARY = pathlib.Path(os.environ["ANISO_MESHLAB_LIBRARY"])
+LIBRARY = pathlib.Path(os.environ["ANISO_MESHLAB_LIBRARY"]) if PLUGIN else None
 
 
 def fresh_work_folder():
