@@ -28,17 +28,20 @@ Camera camera_around(const std::vector<Point3d>& points, Point3d direction, cons
   }
   const Point3d middle = (low + high) / 2;
   const Point3d center = right * middle[0] + above * middle[1] + direction * middle[2];
-  const double half_width = std::max(high[0] - low[0], high[1] - low[1]) / 2;
-  const double distance = margin * half_width / std::tan(half_angle) + (high[2] - middle[2]);
-  return {center + direction * distance, center, up};
+  const double width = high[0] - low[0];
+  const double height = high[1] - low[1];
+  const double shape = width > 0 ? std::clamp(height / width, 0.5, 1.0) : 1.0;
+  const double half_height = margin * std::max(height, width * shape) / 2;
+  const double distance = half_height / std::tan(half_angle) + (high[2] - middle[2]);
+  return {center + direction * distance, center, up, shape};
 }
 
 Camera camera_at(const Point3d& center, double radius, Point3d direction, const Point3d& up) {
   direction.Normalize();
-  return {center + direction * (radius / std::tan(half_angle)), center, up};
+  return {center + direction * (radius / std::tan(half_angle)), center, up, 1};
 }
 
-std::string f3d_options(const Camera& camera) {
+std::string f3d_options(const Camera& camera, int width) {
   std::ostringstream text;
   text.precision(9);
   const auto point = [&](const char* name, const Point3d& p) {
@@ -47,7 +50,8 @@ std::string f3d_options(const Camera& camera) {
   point("position", camera.position);
   point("focal-point", camera.focal_point);
   point("view-up", camera.up);
-  text << " --camera-view-angle=" << view_angle_degrees;
+  text << " --camera-view-angle=" << view_angle_degrees << " --resolution=" << width << ","
+       << std::lround(width * camera.height);
   return text.str();
 }
 

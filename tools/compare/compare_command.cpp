@@ -31,7 +31,7 @@ View chosen_view(const Options& options) {
   View view;
   if (options.up == "y") {
     view.up = vcg::Point3d(0, 1, 0);
-    view.direction = vcg::Point3d(-1, 1.1, 1.3);
+    view.direction = vcg::Point3d(-0.8, 1, 1.5);
   } else if (options.up != "z") {
     throw BadValue("up is '" + options.up + "'; allowed are y and z");
   }

@@ -79,9 +79,9 @@ Color error_color(double fraction) {
   return color;
 }
 
-/// The least of some round numbers that most of the values lie below.
+/// The least of some round numbers that nineteen of twenty values lie below.
 double round_limit(std::vector<double> values) {
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(0.98 * static_cast<double>(values.size() - 1));
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), place, values.end());
   const double power = std::pow(10, std::floor(std::log10(std::max(*place, 1e-6))));
   for (const double factor : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0})
@@ -90,12 +90,16 @@ double round_limit(std::vector<double> values) {
 }
 
 void write_ramp(const fs::path& path) {
-  constexpr int width = 700, height = 20;
+  constexpr int width = 700, height = 20, margin = 10;
+  const auto color_at = [](int x) {
+    const bool outside = x < margin || x >= width - margin;
+    return outside ? Color{255, 255, 255} : error_color((x - margin) / (width - 2.0 * margin - 1));
+  };
   std::ofstream file(path, std::ios::binary);
   file << "P6\n" << width << " " << height << "\n255\n";
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
-      for (const double channel : error_color(x / (width - 1.0))) file.put(static_cast<char>(std::lround(channel)));
+      for (const double channel : color_at(x)) file.put(static_cast<char>(std::lround(channel)));
 }
 
 class Studio {
@@ -114,16 +118,15 @@ class Studio {
   void shoot() {
     const double e = comparison_.runs.front().report.average_edge_length;
     const Region region = strongest_region(comparison_.noisy.mesh, noisy_, mean_normal_errors(comparison_), 10 * e);
-    const std::string whole = f3d_options(camera_around(noisy_, view_.direction, view_.up));
+    const std::string whole = f3d_options(camera_around(noisy_, view_.direction, view_.up), tile_pixels);
     vcg::Point3d view = view_.direction;
     const vcg::Point3d close_direction = region.normal + view.Normalize() * 0.4;
-    const std::string close = f3d_options(camera_at(region.center, region.radius, close_direction, view_.up));
+    const std::string close =
+        f3d_options(camera_at(region.center, region.radius, close_direction, view_.up), tile_pixels);
 
     set_error_scale();
     std::ostringstream script;
-    const std::string options =
-        " --dry-run --quiet --bg-color=1,1,1 --roughness=0.9 --resolution=" + std::to_string(tile_pixels) + "," +
-        std::to_string(tile_pixels);
+    const std::string options = " --dry-run --quiet --bg-color=1,1,1 --roughness=0.9";
     for (const Tile& tile : tiles_) {
       write_tile(tile);
       const std::string start = "f3d " + tile.name;
@@ -135,51 +138,45 @@ class Studio {
     std::ofstream(work_.path() / "draw.sh") << "set -e\n" << script.str();
     run({"xvfb-run", "-a", "-s", "-screen 0 640x480x24", "sh", "draw.sh"});
     // f3d's light leaves white at two thirds of the range.
-    std::vector<std::string> lighten = {"mogrify", "-gamma", "1.5"};
+    std::vector<std::string> lighten = {"mogrify", "-level", "0,66%"};
     for (const Tile& tile : tiles_)
       for (const char* kind : {"_whole.png", "_close.png", "_error.png"}) lighten.push_back(tile.name + kind);
     run(lighten);
   }
 
   void join_figure_9() {
-    std::vector<std::string> command = montage();
-    for (const Tile& tile : tiles_) add_labelled(command, tile.label, tile.name + "_whole.png");
-    for (const Tile& tile : tiles_) add_labelled(command, "enlarged", tile.name + "_close.png");
-    command.push_back("figure9.png");
-    run(command);
+    join_row("_whole.png", "", "whole.png");
+    join_row("_close.png", "enlarged", "close.png");
+    finish({"convert", "-background", "white", "whole.png", "close.png", "-append"}, "figure9.png");
   }
 
   void join_errors() {
-    std::vector<std::string> command = montage();
-    for (const Tile& tile : tiles_) add_labelled(command, tile.label, tile.name + "_error.png");
-    command.push_back("tiles.png");
-    run(command);
+    join_row("_error.png", "", "tiles.png");
     write_ramp(work_.path() / "ramp.ppm");
     run({"convert", "-background", "white", "-gravity", "center", "-font", font, "-pointsize", "16",
-         "label:" + error_name_ + ":  0 ", "ramp.ppm", "label: " + error_limit_text() + " or more", "+append",
+         "label:" + error_name_ + ": 0", "ramp.ppm", "label:" + error_limit_text() + " or more", "+append",
          "-bordercolor", "white", "-border", "8", "scale.png"});
-    run({"convert", "-background", "white", "-gravity", "center", "tiles.png", "scale.png", "-append", "errors.png"});
+    finish({"convert", "-background", "white", "-gravity", "center", "tiles.png", "scale.png", "-append"},
+           "errors.png");
   }
 
   const fs::path& folder() const { return work_.path(); }
 
  private:
-  std::vector<std::string> montage() const {
-    return {"montage",
-            "-font",
-            font,
-            "-pointsize",
-            "16",
-            "-background",
-            "white",
-            "-geometry",
-            "+3+3",
-            "-tile",
-            std::to_string(tiles_.size()) + "x"};
+  /// The pictures of all meshes side by side, each with its name or with `label`.
+  void join_row(const std::string& kind, const std::string& label, const std::string& file) const {
+    std::vector<std::string> command = {"montage", "-font",     font,   "-pointsize", "16", "-background",
+                                        "white",   "-geometry", "+3+3", "-tile",      "x1"};
+    for (const Tile& tile : tiles_)
+      command.insert(command.end(), {"-label", label.empty() ? tile.label : label, tile.name + kind});
+    command.push_back(file);
+    run(command);
   }
 
-  static void add_labelled(std::vector<std::string>& command, const std::string& label, const std::string& file) {
-    command.insert(command.end(), {"-label", label, file});
+  /// Writes the picture without the time and the like, so that the same input gives the same file.
+  void finish(std::vector<std::string> command, const std::string& file) const {
+    command.insert(command.end(), {"-strip", "-define", "png:exclude-chunks=date,time", file});
+    run(command);
   }
 
   std::vector<double> errors(const Tile& tile) const {
@@ -191,7 +188,7 @@ class Studio {
     return way;
   }
 
-  /// One scale for all: what the worst but one of the methods needs, so that one bad method does not bleach the others.
+  /// One scale for all: what the middle one of the methods needs, so that the worst do not bleach the others.
   void set_error_scale() {
     std::vector<double> limits;
     for (std::size_t t = 1; t < tiles_.size(); ++t) limits.push_back(round_limit(errors(tiles_[t])));

@@ -9,7 +9,7 @@
 namespace anisosmooth {
 
 struct View {
-  vcg::Point3d direction{-1, -1.3, 1.1};  ///< from the object to the camera
+  vcg::Point3d direction{-0.8, -1.3, 1.5};  ///< from the object to the camera
   vcg::Point3d up{0, 0, 1};
 };
 
