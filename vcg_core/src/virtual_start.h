@@ -16,6 +16,9 @@ struct TriangleFrame {
   Scalar side_2;  ///< |v_i v_{i+2}|
 };
 
+/// How much the squared height of the virtual start point may fall below 0 by rounding, in squared edge lengths.
+constexpr double touching = 1e-12;
+
 /// Section 4.1, figures 3 and 4: the distance of the apex, given the distances d_1 and d_2 of the two others.
 ///
 /// The circles about v_{i+1} and v_{i+2} with radii d_1 and d_2 meet, on the far side from the apex, in the virtual
@@ -28,9 +31,11 @@ Scalar distance_by_virtual_start(const TriangleFrame<Scalar>& t, Scalar d_1, Sca
   if (!(t.edge > 0)) return around;
   const Scalar x_s = (d_1 - d_2) * (d_1 + d_2) / (2 * t.edge) + t.edge / 2;
   const Scalar h_s_squared = d_1 * d_1 - x_s * x_s;
-  if (!(h_s_squared >= 0)) return around;
-  const Scalar h_s = std::sqrt(h_s_squared);
+  // Circles that touch, as about the ends of an edge with the start on it, may miss each other by rounding.
+  if (!(h_s_squared >= -touching * t.edge * t.edge)) return around;
+  const Scalar h_s = std::sqrt(std::max(h_s_squared, Scalar(0)));
   const Scalar height = h_s + t.y;
+  if (!(height > 0)) return around;  // all on one line, which meets the edge nowhere or everywhere
   const Scalar crossing = x_s * t.y + t.x * h_s;  // where the line meets the edge, times height
   if (!(crossing >= 0 && crossing <= t.edge * height)) return around;
   return std::min(around, std::sqrt((t.x - x_s) * (t.x - x_s) + height * height));
