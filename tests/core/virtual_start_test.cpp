@@ -80,6 +80,16 @@ TEST(VirtualStart, CirclesThatDoNotMeet) {
   EXPECT_DOUBLE_EQ(apex_distance(frame(1, 1, 1), 5, 1), 2);
 }
 
+// The start lies on the edge, a third along it: the circles touch there, and rounding must not tear them apart.
+TEST(VirtualStart, CirclesThatTouch) {
+  for (const double edge : {0.3, 1.0, 7.0 / 3, std::sqrt(8)})
+    for (const double part : {0.1, 1.0 / 3, 0.5, 0.7}) {
+      const double d_1 = edge * part;
+      EXPECT_NEAR(apex_distance(frame(edge, d_1, 2), d_1, edge - d_1), 2, 1e-7);
+      EXPECT_NEAR(apex_distance(frame(edge, d_1, 2), d_1 * (1 - 1e-15), edge - d_1), 2, 1e-7);
+    }
+}
+
 // d_1 + d_2 < |v_1 v_2|: they do not meet either.
 TEST(VirtualStart, CirclesTooSmallToMeet) { EXPECT_DOUBLE_EQ(apex_distance(frame(4, 1, 1), 1, 1), 1 + std::sqrt(2)); }
 
@@ -89,6 +99,14 @@ TEST(VirtualStart, TriangleWithoutArea) {
   EXPECT_DOUBLE_EQ(apex_distance(frame(4, 6, 0), 3, 5), 7);  // beyond v_2: around it
   EXPECT_DOUBLE_EQ(apex_distance(frame(8, 4, 0), 5, 5), 3);  // on the edge: the start is 3 below
   EXPECT_DOUBLE_EQ(apex_distance(frame(0, 0, 0), 1, 2), 1);  // all in one place
+}
+
+// v_2, v_1 and the apex follow each other on a line from the start, which is on it as well: 6 + 3, and not 6 - 3.
+TEST(VirtualStart, AllOnOneLine) {
+  EXPECT_DOUBLE_EQ(apex_distance(frame(3, -3, 0), 6, 9), 9);
+  EXPECT_DOUBLE_EQ(apex_distance(frame(3, -3, 0), 9, 6), 12);
+  EXPECT_DOUBLE_EQ(apex_distance(frame(3, 6, 0), 9, 6), 9);
+  EXPECT_DOUBLE_EQ(apex_distance(frame(3, 2, 0), 6, 9), 8);
 }
 
 TEST(VirtualStart, ADistanceNotYetKnownLeavesTheOtherWay) {

@@ -34,8 +34,8 @@ double naive_virtual_start(const Point& apex, const Point& v_1, double d_1, cons
   // The circles |v_s - v_1| = d_1 and |v_s - v_2| = d_2.
   const double foot = (d_1 * d_1 - d_2 * d_2 + e * e) / (2 * e);
   const double depth_squared = d_1 * d_1 - foot * foot;
-  if (depth_squared < 0) return std::min(around_1, around_2);  // they do not meet
-  const double depth = std::sqrt(depth_squared);
+  if (depth_squared < -1e-12 * e * e) return std::min(around_1, around_2);  // they do not meet
+  const double depth = std::sqrt(std::max(depth_squared, 0.0));
   const Point v_s = v_1 + along * foot - up * depth;
 
   // Where the line from v_s to the apex meets the line through v_1 and v_2.

@@ -6,7 +6,12 @@ const std::vector<SmoothingPath>& smoothing_paths() {
   static const std::vector<SmoothingPath> paths = [] {
     std::vector<SmoothingPath> result;
     // Measured 1e-9 at most; the contract says 1e-5.
-    result.push_back({"scalar_double", {}, 1e-8, 1e-13, 1e-6, 0.0});
+    vcg_core::SmoothingParameters reference;
+    reference.arithmetic = vcg_core::Arithmetic::reference;
+    result.push_back({"reference", reference, 1e-8, 1e-13, 1e-6, 0.0});
+    vcg_core::SmoothingParameters fast;
+    fast.arithmetic = vcg_core::Arithmetic::fast;
+    result.push_back({"fast", fast, 1e-5, 1e-5, 1e-4, 1e-3});
     return result;
   }();
   return paths;

@@ -1,0 +1,112 @@
+// Whatever triangles come: no NaN, no crash, nothing touched that is not to move. Random meshes, shrunk when they fail.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <support/comparison.h>
+#include <support/mesh_types.h>
+#include <support/naive_geodesics.h>
+#include <support/naive_reference.h>
+#include <support/smoothed.h>
+#include <support/smoothing_path.h>
+#include <vcg_core/geodesic_distance.h>
+
+namespace {
+
+using namespace test_support;
+
+/// A number in [low, high), from the whole range in every run: by itself the generator begins with the lowest.
+template <class Number>
+Number draw(Number low, Number high) {
+  return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high));
+}
+
+/// Few vertices on a small lattice, many faces between them at random: every defect at once.
+FlatMesh random_soup() {
+  const std::size_t vertices = draw<std::size_t>(3, 12);
+  FlatMesh soup;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const int x = draw(-3, 4);
+    const int y = draw(-3, 4);
+    soup.points.emplace_back(x, y, draw(-3, 4));
+  }
+  const std::size_t faces = draw<std::size_t>(1, 25);
+  for (std::size_t f = 0; f < faces; ++f) {
+    Triangle face;
+    for (std::size_t& v : face) v = draw<std::size_t>(0, vertices);
+    soup.faces.push_back(face);
+  }
+  return soup;
+}
+
+vcg_core::SmoothingParameters random_parameters(vcg_core::SmoothingParameters parameters) {
+  const auto positive = [] { return std::pow(10.0, draw(-20, 21) / 10.0); };
+  parameters.sigma_c = positive();
+  parameters.sigma_s = positive();
+  parameters.sigma_n = positive();
+  parameters.rho = positive();
+  parameters.boundary = *rc::gen::element(vcg_core::Boundary::fixed, vcg_core::Boundary::free);
+  parameters.gaussian = *rc::gen::element(vcg_core::GaussianForm::standard_deviation, vcg_core::GaussianForm::printed);
+  return parameters;
+}
+
+/// For the message of a failure.
+std::string description(const FlatMesh& soup) {
+  std::ostringstream text;
+  for (const Point& p : soup.points) text << "v " << p[0] << " " << p[1] << " " << p[2] << "\n";
+  for (const Triangle& f : soup.faces) text << "f " << f[0] << " " << f[1] << " " << f[2] << " (from 0)\n";
+  return text.str();
+}
+
+bool has_edge(const FlatMesh& soup) { return average_edge_length(soup) > 0; }
+
+RC_GTEST_PROP(RandomSoup, GivesFinitePositionsAndAnHonestReport, ()) {
+  const FlatMesh soup = random_soup();
+  RC_LOG() << description(soup);
+  for (const SmoothingPath& path : smoothing_paths()) {
+    DoubleMesh mesh;
+    fill(mesh, soup);
+    vcg_core::SmoothingParameters parameters = random_parameters(path.parameters);
+    parameters.iterations = draw(1, 4);
+    if (!has_edge(soup)) {
+      RC_ASSERT_THROWS_AS(vcg_core::smooth(mesh, vcg_core::Method::paper, parameters), vcg_core::InvalidMesh);
+      continue;
+    }
+    const vcg_core::SmoothingReport report = vcg_core::smooth(mesh, vcg_core::Method::paper, parameters);
+    const FlatMesh result = flat(mesh);
+    RC_ASSERT(all_finite(result));
+    std::size_t moved = 0;
+    const NaiveReference reference(soup);
+    for (std::size_t v = 0; v < soup.points.size(); ++v) {
+      const bool has_moved = result.points[v] != soup.points[v];
+      moved += has_moved;
+      if (parameters.boundary == vcg_core::Boundary::fixed && reference.on_border(v)) RC_ASSERT(!has_moved);
+    }
+    RC_ASSERT(report.moved_vertices == moved);
+    RC_ASSERT(report.vertices == soup.points.size());
+    RC_ASSERT(std::isfinite(report.volume_after) && std::isfinite(report.rms_displacement));
+    RC_ASSERT(report.rms_displacement <= report.max_displacement * (1 + 1e-12));
+  }
+}
+
+RC_GTEST_PROP(RandomSoup, GivesTheDistancesOfTheReference, ()) {
+  const FlatMesh soup = random_soup();
+  if (!has_edge(soup)) return;
+  DoubleMesh mesh;
+  fill(mesh, soup);
+  const auto source = draw<std::size_t>(0, soup.points.size());
+  const std::vector<double> distance = vcg_core::geodesic_distances(mesh, source);
+  const std::vector<double> expected = naive_geodesics(soup, source, 1e-14);
+  RC_LOG() << description(soup) << "source " << source << "\n";
+  for (std::size_t v = 0; v < distance.size(); ++v)
+    RC_ASSERT(distance[v] == expected[v] || std::abs(distance[v] - expected[v]) < 1e-6);
+}
+
+}  // namespace
