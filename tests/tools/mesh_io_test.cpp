@@ -240,6 +240,14 @@ TEST_F(MeshIo, obj_without_the_normals_that_its_faces_name_is_read) {
   EXPECT_EQ(mesh_tools::read_mesh(write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//7 2//8 3//9\n")).mesh.fn, 1);
 }
 
+TEST_F(MeshIo, obj_without_its_material_file_is_read_with_a_warning) {
+  const MeshFile file =
+      mesh_tools::read_mesh(write("a.obj", "mtllib none.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  EXPECT_EQ(file.mesh.fn, 1);
+  ASSERT_EQ(file.warnings.size(), 1u);
+  EXPECT_NE(file.warnings[0].find("none.mtl"), std::string::npos) << file.warnings[0];
+}
+
 TEST_F(MeshIo, stl_merges_the_corners_of_its_triangles) {
   const MeshFile written = decorated(Precision::single_precision, 0);
   mesh_tools::write_mesh(written, path("a.stl"));

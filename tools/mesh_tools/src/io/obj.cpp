@@ -2,15 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <map>
 #include <tuple>
 #include <utility>
 
-#include <mesh_tools/mesh.h>  // first: the headers of vcglib below need it
-
 #include <vcg/complex/algorithms/update/bounding.h>
-#include <wrap/io_trimesh/import_obj.h>
 
 #include "formats.h"
 #include "text.h"
@@ -20,10 +16,46 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 using Allocator = vcg::tri::Allocator<Mesh>;
-using Material = vcg::tri::io::Material;
 
 unsigned char to_byte(double fraction) {
   return static_cast<unsigned char>(std::min(255.0, std::max(0.0, fraction * 255 + 0.5)));
+}
+
+/// A name that may hold spaces: all but the first word.
+std::string rest_of(const Words& words) {
+  std::string name(words[1]);
+  for (std::size_t i = 2; i < words.size(); ++i) name.append(" ").append(words[i]);
+  return name;
+}
+
+struct Material {
+  std::string name;
+  vcg::Color4b color{255, 255, 255, 255};
+  int page = 0;  // index into the mesh's textures
+};
+
+/// What MeshLab takes from a material file: colour, opacity, texture.
+std::vector<Material> read_material_file(const std::filesystem::path& path, std::vector<std::string>& textures) {
+  const std::string text = read_bytes(path);
+  LineReader reader(text, path);
+  std::vector<Material> materials;
+  Words words;
+  while (reader.next(words)) {
+    if (words.size() < 2) continue;
+    if (words[0] == "newmtl") materials.push_back({rest_of(words)});
+    if (materials.empty()) continue;
+    Material& material = materials.back();
+    if (words[0] == "Kd" && words.size() >= 4)
+      for (int k = 0; k < 3; ++k) material.color[k] = to_byte(reader.number(words[1 + k]));
+    if (words[0] == "d" || words[0] == "Tr") material.color[3] = to_byte(reader.number(words[1]));
+    if (words[0] == "map_Kd") {
+      const std::string name = rest_of(words);
+      const auto known = std::find(textures.begin(), textures.end(), name);
+      material.page = static_cast<int>(known - textures.begin());
+      if (known == textures.end()) textures.push_back(name);
+    }
+  }
+  return materials;
 }
 
 class ObjReader {
@@ -127,22 +159,15 @@ class ObjReader {
       edges_.emplace_back(read_corner(words[i - 1]).vertex, read_corner(words[i]).vertex);
   }
 
-  static std::string rest_of(const Words& words) {
-    std::string name(words[1]);
-    for (std::size_t i = 2; i < words.size(); ++i) name.append(" ").append(words[i]);
-    return name;
-  }
-
   void read_materials(const Words& words) {
     if (words.size() < 2) reader_.fail("mtllib without a file name");
     const std::filesystem::path library = path_.parent_path() / rest_of(words);
-    std::vector<Material> more;
-    if (!std::filesystem::is_regular_file(library) ||
-        !vcg::tri::io::ImporterOBJ<Mesh>::LoadMaterials(library.c_str(), more, file_.mesh.textures)) {
-      file_.warnings.push_back(library.string() + ": the material file cannot be read; colours and textures are lost");
-      return;
+    try {
+      const std::vector<Material> more = read_material_file(library, file_.mesh.textures);
+      materials_.insert(materials_.end(), more.begin(), more.end());
+    } catch (const FileError& error) {
+      file_.warnings.push_back(std::string(error.what()) + " (colours and textures are lost)");
     }
-    materials_.insert(materials_.end(), more.begin(), more.end());
   }
 
   void use_material(const Words& words) {
@@ -150,7 +175,7 @@ class ObjReader {
     if (words.size() < 2) return;
     const std::string name = rest_of(words);
     for (std::size_t i = 0; i < materials_.size(); ++i)
-      if (materials_[i].materialName == name) material_ = static_cast<int>(i);
+      if (materials_[i].name == name) material_ = static_cast<int>(i);
   }
 
   void build() {
@@ -189,16 +214,13 @@ class ObjReader {
       if (corner.texture < 0) continue;
       face.WT(k).u() = textures_[corner.texture].u;
       face.WT(k).v() = textures_[corner.texture].v;
-      const int page = has_material ? static_cast<int>(materials_[triangle.material].index) : 0;
-      face.WT(k).n() = static_cast<short>(std::max(0, page));
+      face.WT(k).n() = static_cast<short>(has_material ? materials_[triangle.material].page : 0);
     }
     if (!has_material) {
       face.C() = vcg::Color4b(255, 255, 255, 255);
       return;
     }
-    const Material& material = materials_[triangle.material];
-    face.C() =
-        vcg::Color4b(to_byte(material.Kd[0]), to_byte(material.Kd[1]), to_byte(material.Kd[2]), to_byte(material.Tr));
+    face.C() = materials_[triangle.material].color;
     file_.attributes |= face_color;
   }
 
@@ -321,7 +343,7 @@ std::string material_text(const std::map<FaceMaterial, std::size_t>& materials) 
   for (const auto& [material, number] : materials) {
     text += "newmtl material_" + std::to_string(number) + "\nKd";
     for (int k = 0; k < 3; ++k) append_number(text += ' ', material.color[k] / 255.0);
-    append_number(text += "\nTr ", material.color[3] / 255.0);  // the opacity, as in MeshLab
+    append_number(text += "\nd ", material.color[3] / 255.0);
     text += '\n';
     if (!material.texture.empty()) text += "map_Kd " + material.texture + "\n";
   }
