@@ -38,7 +38,6 @@ struct Simd {
     return a;
   }
   static Mask less(Vector a, Vector b) { return a < b; }
-  static Mask less_equal(Vector a, Vector b) { return a <= b; }
   static Mask both(Mask a, Mask b) { return a & b; }
   static bool any(Mask m) {
     std::int32_t all = 0;
