@@ -136,7 +136,8 @@ TEST(SmoothingParameters, NeighborhoodOfOneVertexMovesNothing) {
       for (const double tiny : {1e-3, 1e-100, DBL_TRUE_MIN}) {
         SmoothingParameters parameters = path.parameters;
         parameters.*value = tiny;
-        EXPECT_TRUE(same_bits(smoothed(mesh, parameters), mesh)) << tiny;
+        // In single precision a weight does not vanish altogether, it stays at 1e-38.
+        EXPECT_LE(difference(smoothed(mesh, parameters), mesh, 0).largest, 1e-37) << tiny;
       }
     }
 }

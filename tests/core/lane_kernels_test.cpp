@@ -1,0 +1,155 @@
+// The vector kernels, each that this processor runs, against the scalar march and the scalar filter.
+
+#include <lanes/lane_kernels.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <geodesic_march.h>
+#include <lanes/lane_filter.h>
+#include <lanes/patch_builder.h>
+#include <paper_filter.h>
+#include <triangle_frames.h>
+#include <vcg_core/detail/read_mesh.h>
+#include <vertex_normals.h>
+
+#include <support/hand_made.h>
+#include <support/mesh_types.h>
+#include <support/noisy_shapes.h>
+
+namespace {
+
+using namespace test_support;
+using namespace vcg_core::detail;
+using vcg_core::SmoothingParameters;
+
+/// A mesh as a filter's pass gets it.
+class Prepared {
+ public:
+  explicit Prepared(const FlatMesh& shape, int threads = 2) : job_(no_progress_, threads) {
+    fill(mesh_, shape);
+    arrays_ = read_mesh(mesh_, job_);
+    normal_ = vertex_normals(arrays_, arrays_.position, job_);
+    for (std::size_t v = 0; v < arrays_.size(); ++v) movable_.push_back(!normal_[v].isZero(0));
+  }
+  Prepared(const Prepared&) = delete;
+  Prepared& operator=(const Prepared&) = delete;
+
+  const MeshArrays& arrays() const { return arrays_; }
+  const std::vector<Vec3>& normal() const { return normal_; }
+  const std::vector<std::uint8_t>& movable() const { return movable_; }
+  Job& job() { return job_; }
+  double unit() const { return arrays_.topology.average_edge_length; }
+
+  std::vector<Vec3> run(const LaneKernel& kernel, const SmoothingParameters& parameters) {
+    return LanePass(kernel).run({arrays_, arrays_.position, normal_, movable_, parameters, 0, job_});
+  }
+
+ private:
+  const vcg_core::Progress no_progress_;
+  Job job_;
+  DoubleMesh mesh_;
+  MeshArrays arrays_;
+  std::vector<Vec3> normal_;
+  std::vector<std::uint8_t> movable_;
+};
+
+/// Number of vertices that two results place farther apart than `tolerance`.
+std::size_t differing(const std::vector<Vec3>& a, const std::vector<Vec3>& b, double tolerance) {
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < a.size(); ++v) count += !((a[v] - b[v]).norm() <= tolerance);
+  return count;
+}
+
+class LaneKernels : public testing::TestWithParam<const LaneKernel*> {};
+
+TEST_P(LaneKernels, AgreeWithTheScalarFilter) {
+  for (const std::string& name : shape_names()) {
+    Prepared mesh(noisy_shape(name, 1000));
+    const SmoothingParameters parameters;
+    const std::vector<Vec3> expected =
+        paper_pass(mesh.arrays(), mesh.arrays().position, mesh.normal(), mesh.movable(), parameters, mesh.job());
+    const std::vector<Vec3> result = mesh.run(*GetParam(), parameters);
+    // A distance may fall on the other side of the cut-off by the rounding of single precision.
+    EXPECT_LE(differing(result, expected, 2e-6 * mesh.unit()), mesh.arrays().size() / 500) << name;
+  }
+}
+
+TEST_P(LaneKernels, GiveTheSameBitsForAnyNumberOfThreads) {
+  const FlatMesh shape = noisy_shape("stepped_block", 2000);
+  const std::vector<Vec3> expected = Prepared(shape, 1).run(*GetParam(), {});
+  for (const int threads : {2, 3, 8}) EXPECT_EQ(Prepared(shape, threads).run(*GetParam(), {}), expected);
+}
+
+/// Largest difference, in |e|, of the kernel's distances from the scalar march's, over vertices below `cutoff` in both.
+/// Also sees to it that no vertex well inside is missing.
+double largest_distance_error(const FlatMesh& shape, const LaneKernel& kernel, double cutoff) {
+  Prepared mesh(shape);
+  const MeshArrays& arrays = mesh.arrays();
+  const auto ring = make_rings(arrays, mesh.job());
+  const SourceGroups groups = group_sources(arrays, mesh.movable(), kernel.lanes);
+  const LaneMesh lanes{arrays, ring, arrays.position, mesh.normal()};
+  PatchBuilder builder(lanes, kernel.lanes);
+  const auto frames = triangle_frames(arrays, arrays.position, mesh.unit(), mesh.job());
+  GeodesicMarch<double> march(arrays, frames, 1e-9);
+  LaneParameters parameters{};
+  parameters.cutoff = static_cast<float>(cutoff);
+  parameters.limit = static_cast<float>(cutoff + march_margin);
+  parameters.tolerance = 4e-6f;
+  double largest = 0;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const Index* const sources = groups.member.data() + groups.begin[g];
+    const Patch& patch = builder.build(sources, groups.begin[g + 1] - groups.begin[g], cutoff + march_margin);
+    kernel.march(
+        patch, parameters, [](void*) {}, nullptr);
+    for (std::uint32_t lane = 0; lane < patch.sources; ++lane) {
+      march.run(sources[lane], cutoff + march_margin, [](std::size_t) {});
+      std::vector<bool> found(arrays.size(), false);
+      for (std::uint32_t row = 0; row < patch.rows; ++row) {
+        // Rows do not tell which vertex they are: found by place.
+        Vec3 place;
+        for (int axis = 0; axis < 3; ++axis)
+          place[axis] = (patch.place[axis][row] - patch.place[axis][patch.source_row[0]]) * mesh.unit() +
+                        arrays.position[sources[0]][axis];
+        std::size_t v = 0;
+        for (std::size_t w = 0; w < arrays.size(); ++w)
+          if ((arrays.position[w] - place).squaredNorm() < (arrays.position[v] - place).squaredNorm()) v = w;
+        found[v] = true;
+        const double expected = march.distance(static_cast<Index>(v));
+        const double distance = patch.distance[row * kernel.lanes + lane];
+        if (expected < cutoff || distance < cutoff) largest = std::max(largest, std::abs(distance - expected));
+      }
+      for (const Index v : march.reached())
+        if (march.distance(v) < cutoff) {
+          EXPECT_TRUE(found[v]);
+        }
+    }
+  }
+  return largest;
+}
+
+TEST_P(LaneKernels, MarchAsTheScalarOne) {
+  EXPECT_LE(largest_distance_error(potato(2), *GetParam(), 4), 1e-5);
+  EXPECT_LE(largest_distance_error(noisy_shape("thin_plate", 150), *GetParam(), 3), 1e-5);
+}
+
+// A face without area that hangs on its middle vertex only: the way to both its ends leads over that vertex.
+TEST_P(LaneKernels, MarchOverAFaceWithoutArea) {
+  const FlatMesh hanging{{{0, 0, 0}, {2, 0, 0}, {0, 2, 0.25}, {2, 3, 0}, {1, 3, 0}, {3, 3, 0}},
+                         {{0, 1, 2}, {1, 3, 2}, {4, 5, 3}}};
+  EXPECT_LE(largest_distance_error(hanging, *GetParam(), 4), 1e-5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Supported, LaneKernels, testing::ValuesIn(supported_lane_kernels()), [](const auto& kernel) {
+  std::string name = kernel.param->name;
+  name.erase(std::remove_if(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }),
+             name.end());
+  return name;
+});
+
+}  // namespace
