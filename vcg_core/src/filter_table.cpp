@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "bmd_filter.h"
+#include "guided/guided_filter.h"
 #include "hc_filter.h"
 #include "jones_filter.h"
 #include "lanes/lane_filter.h"
@@ -26,10 +27,20 @@ FilterPass make_paper_pass() {
 
 FilterPass make_bmd_pass() { return bmd_pass; }
 FilterPass make_jones_pass() { return jones_pass; }
+FilterPass make_guided_pass() {
+  return [](const PassInput& in) { return guided_pass(in); };
+}
 
 SmoothingParameters with_iterations(int iterations) {
   SmoothingParameters parameters;
   parameters.iterations = iterations;
+  return parameters;
+}
+
+/// Borders are as noisy as the rest, and the guided filter does not pull them inwards.
+SmoothingParameters guided_defaults() {
+  SmoothingParameters parameters = with_iterations(0);
+  parameters.boundary = Boundary::free;
   return parameters;
 }
 
@@ -64,6 +75,15 @@ const std::vector<FilterEntry>& filter_table() {
       {{Method::taubin, "taubin", "Taubin's signal processing", {"iterations"}, with_iterations(20)},
        false,
        make_taubin_pass},
+      {{Method::guided,
+        "guided",
+        "Guided anisotropic smoothing",
+        {"strength", "feature_angle", "iterations", "smooth_color"},
+        guided_defaults(),
+        0},
+       false,
+       make_guided_pass,
+       true},
   };
   return table;
 }

@@ -13,6 +13,7 @@ struct FilterEntry {
   MethodInfo info;
   bool needs_normals;         ///< whether PassInput::normal is wanted; vertices without a normal then stay in place
   FilterPass (*make_pass)();  ///< a fresh pass for a run over one mesh
+  bool one_pass = false;      ///< whether parameters.iterations is the filter's own affair
 };
 
 const std::vector<FilterEntry>& filter_table();

@@ -59,8 +59,9 @@ SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const Smoot
 
   const FilterPass run_pass = filter.make_pass();
   result.position = mesh.position;
-  for (int pass = 0; pass < parameters.iterations; ++pass) {
-    job.begin_stage("Smoothing", 0.05 + 0.94 * (pass + 1) / parameters.iterations);
+  const int passes = filter.one_pass ? 1 : parameters.iterations;
+  for (int pass = 0; pass < passes; ++pass) {
+    job.begin_stage("Smoothing", 0.05 + 0.94 * (pass + 1) / passes);
     std::vector<Vec3> normal;
     if (filter.needs_normals) normal = vertex_normals(mesh, result.position, job);
     if (filter.needs_normals && pass == 0) count_undefined_normals(mesh, normal, movable, result.report);

@@ -16,7 +16,8 @@ enum class Method {
   jones,      ///< non-iterative, feature-preserving mesh smoothing: Jones, Durand, Desbrun 2003
   laplacian,  ///< vcglib's Laplacian smoothing
   hc,         ///< vcglib's improved Laplacian smoothing: Vollmer, Mencl, Mueller 1999
-  taubin      ///< vcglib's Taubin smoothing: Taubin 1995
+  taubin,     ///< vcglib's Taubin smoothing: Taubin 1995
+  guided      ///< guided anisotropic smoothing: this project's own, beyond the paper; docs/guided.md
 };
 
 /// What a program needs to know to offer a method.
@@ -26,7 +27,8 @@ struct MethodInfo {
   std::string title;                    ///< for people
   std::vector<std::string> parameters;  ///< fields of SmoothingParameters, beyond those that all methods obey
                                         ///< (boundary, selected_only, threads); the others have no effect
-  SmoothingParameters defaults;         ///< the paper's Table 1
+  SmoothingParameters defaults;         ///< the paper's Table 1; for guided what fits any mesh
+  int fewest_iterations = 1;            ///< 0 where 0 means that the method chooses by itself
 
   bool uses(std::string_view parameter) const;
 };

@@ -22,7 +22,7 @@ namespace vcg_core {
 template <class Mesh>
 SmoothingReport smooth(Mesh& mesh, Method method, const SmoothingParameters& parameters = {},
                        const Progress& progress = {}) {
-  parameters.validate();
+  parameters.validate(method_info(method).fewest_iterations);
   detail::Job job(progress, parameters.threads);
   const detail::MeshArrays arrays = detail::read_mesh(mesh, job);
   detail::SmoothingResult result = detail::smooth_arrays(arrays, method, parameters, job);

@@ -29,19 +29,28 @@ struct SmoothingParameters {
   double sigma_n = 0.3;
   /// Cut-off distance of the neighbourhood, in multiples of sigma_c; > 0. The paper uses 2.
   double rho = 2.0;
-  /// Number of passes; >= 1. The paper needs one.
+  /// Number of passes; >= 1. The paper needs one. Of the guided method: number of coarse rounds; 0: by the noise.
   int iterations = 1;
   Boundary boundary = Boundary::fixed;
   /// If set, only selected vertices and the vertices of selected faces move; all vertices serve as neighbours.
   bool selected_only = false;
   GaussianForm gaussian = GaussianForm::standard_deviation;
   Arithmetic arithmetic = Arithmetic::fast;
+  /// Guided method: strength of smoothing, as a multiple of what the mesh's own noise asks for; > 0, at most 10.
+  double strength = 1.0;
+  /// Guided method: angle between faces, in degrees, from which an edge is kept sharp rather than smoothed; > 0, at most
+  /// 90. Noise can hide edges above it and leave some below it.
+  double feature_angle = 30.0;
+  /// Guided method: smooths per-vertex colour and quality as well, where the mesh has them, by weights that keep them
+  /// from bleeding over edges.
+  bool smooth_color = false;
   /// Number of threads; 0: one for each processor. The result does not depend on it.
   int threads = 0;
 
   /// Throws InvalidParameter with the name, the value and the allowed range of the first parameter that is out of
   /// range or not finite.
-  void validate() const;
+  /// @param fewest_iterations  as MethodInfo has it
+  void validate(int fewest_iterations = 1) const;
 };
 
 }  // namespace vcg_core

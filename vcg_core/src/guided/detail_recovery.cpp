@@ -1,0 +1,110 @@
+#include "detail_recovery.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <vcg_core/detail/job.h>
+
+#include "face_geometry.h"
+#include "noise_estimate.h"
+
+namespace vcg_core::detail {
+
+namespace {
+
+constexpr std::size_t grain = 4096;
+
+/// Low-passes over these numbers of rings.
+constexpr int scales[] = {3, 1};
+
+/// Variance that a low-pass over k rings leaves of white noise of variance 1: about this over k, from the heat kernel
+/// on the lattice of equilateral triangles (1/7 exactly for one ring).
+constexpr double variance_of_one_ring = 0.155;
+
+/// Rings over which energies are averaged, beyond those of the low-pass itself.
+constexpr int energy_rings = 16;
+
+/// Standard deviation of white noise of 1 less its mean over one ring, sqrt(1 - 1/7), and the median of the absolute
+/// value of a normal distribution.
+constexpr double noise_above_ring = 0.926;
+constexpr double median_of_normal = 0.6745;
+
+/// Unit sums of the normals of each vertex's faces; zero where they cancel.
+std::vector<Vec3> mean_normals(const MeshArrays& mesh, const std::vector<Vec3>& face_normal, Job& job) {
+  const MeshTopology& topology = mesh.topology;
+  std::vector<Vec3> normal(mesh.size());
+  job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
+    while (chunks.next())
+      for (std::size_t v = chunks.begin(); v < chunks.end(); ++v) {
+        Vec3 sum = Vec3::Zero();
+        for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s)
+          sum += face_normal[topology.star[s] / 3];
+        const double length = sum.norm();
+        normal[v] = length > 1e-9 ? Vec3(sum / length) : Vec3(Vec3::Zero());
+      }
+  });
+  return normal;
+}
+
+/// The mean over the one ring, the vertex itself with the weight of one neighbour of six; `rings` times.
+std::vector<double> low_pass(const MeshArrays& mesh, std::vector<double> value, int rings, Job& job) {
+  const MeshTopology& topology = mesh.topology;
+  std::vector<double> mean(value.size());
+  for (int ring = 0; ring < rings; ++ring) {
+    job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
+      while (chunks.next())
+        for (std::size_t v = chunks.begin(); v < chunks.end(); ++v) {
+          double sum = 0;
+          for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
+            const Index corner = topology.star[s];
+            sum += value[vertex_of(mesh, next_in_face(corner))] + value[vertex_of(mesh, previous_in_face(corner))];
+          }
+          const double count = 2.0 * (topology.star_begin[v + 1] - topology.star_begin[v]);
+          mean[v] = count > 0 ? (6 * sum / count + value[v]) / 7 : value[v];
+        }
+    });
+    value.swap(mean);
+  }
+  return value;
+}
+
+double noise_of(const std::vector<double>& residual, const std::vector<double>& one_ring) {
+  std::vector<double> above(residual.size());
+  for (std::size_t v = 0; v < above.size(); ++v) above[v] = std::abs(residual[v] - one_ring[v]);
+  return median(std::move(above)) / (median_of_normal * noise_above_ring);
+}
+
+/// The part of the low-passed residual that is shape, by its energy in units of white noise's.
+double share_of_shape(double energy, const GuidedSettings& settings) {
+  if (!(energy > settings.detail_from)) return 0;
+  const double ramp = (energy - settings.detail_from) / (settings.detail_full - settings.detail_from);
+  return std::max(0.0, 1 - 1 / energy) * std::min(1.0, ramp);
+}
+
+}  // namespace
+
+void recover_detail(const MeshArrays& mesh, const std::vector<Vec3>& noisy, const std::vector<std::uint8_t>& movable,
+                    const GuidedSettings& settings, std::vector<Vec3>& position, Job& job) {
+  double noise = -1;
+  FaceGeometry faces;
+  for (const int rings : scales) {
+    faces.measure(mesh, position, job);
+    const std::vector<Vec3> normal = mean_normals(mesh, faces.normal, job);
+    std::vector<double> residual(mesh.size());
+    for (std::size_t v = 0; v < residual.size(); ++v) residual[v] = (noisy[v] - position[v]).dot(normal[v]);
+    if (noise < 0) noise = settings.noise_scale * noise_of(residual, low_pass(mesh, residual, 1, job));
+    const std::vector<double> low = low_pass(mesh, residual, rings, job);
+    const double expected = noise * noise * variance_of_one_ring / rings;
+    std::vector<double> energy(low.size());
+    for (std::size_t v = 0; v < low.size(); ++v) energy[v] = low[v] * low[v];
+    energy = low_pass(mesh, std::move(energy), energy_rings + rings, job);
+    for (std::size_t v = 0; v < low.size(); ++v) {
+      if (!movable[v]) continue;
+      // Without any noise all of the residual is shape.
+      const double share = expected > 0 ? share_of_shape(energy[v] / expected, settings) : 1;
+      position[v] += share * low[v] * normal[v];
+    }
+  }
+}
+
+}  // namespace vcg_core::detail

@@ -1,0 +1,27 @@
+#include "face_geometry.h"
+
+#include <Eigen/Geometry>
+
+#include <vcg_core/detail/job.h>
+
+namespace vcg_core::detail {
+
+void FaceGeometry::measure(const MeshArrays& mesh, const std::vector<Vec3>& position, Job& job) {
+  normal.resize(mesh.face.size());
+  centroid.resize(mesh.face.size());
+  area.resize(mesh.face.size());
+  job.parallel(mesh.face.size(), 4096, Loop::minor, [&](Chunks& chunks) {
+    while (chunks.next())
+      for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
+        const auto& v = mesh.face[f];
+        const Vec3& a = position[v[0]];
+        const Vec3 cross = (position[v[1]] - a).cross(position[v[2]] - a);
+        const double length = cross.norm();
+        normal[f] = length > 0 ? Vec3(cross / length) : Vec3(Vec3::Zero());
+        centroid[f] = (a + position[v[1]] + position[v[2]]) / 3;
+        area[f] = length / 2;
+      }
+  });
+}
+
+}  // namespace vcg_core::detail

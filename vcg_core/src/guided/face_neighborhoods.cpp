@@ -1,0 +1,192 @@
+#include "face_neighborhoods.h"
+
+#include <algorithm>
+
+#include <vcg_core/detail/job.h>
+
+namespace vcg_core::detail {
+
+namespace {
+
+constexpr std::size_t grain = 2048;
+
+/// A vertex with more faces than this, say the tip of a finely cut cone, would make lists of quadratic length.
+constexpr std::size_t many_faces = 48;
+
+/// No neighbourhood holds more faces: on very uneven meshes a ball can hold any number of tiny ones.
+constexpr std::size_t most_faces = 200;
+
+std::size_t faces_of(const MeshTopology& topology, Index v) {
+  return topology.star_begin[v + 1] - topology.star_begin[v];
+}
+
+/// Faces that were seen from the current one; forgets them all at once.
+class Marks {
+ public:
+  explicit Marks(std::size_t size) : mark_(size, 0) {}
+  void clear() { ++current_; }
+  /// Whether it was not marked before.
+  bool add(Index f) {
+    if (mark_[f] == current_) return false;
+    mark_[f] = current_;
+    return true;
+  }
+
+ private:
+  std::vector<Index> mark_;
+  Index current_ = 0;
+};
+
+/// Makes lists in parallel: `append(f, marks, list)` adds those of one face to the end of its chunk's list.
+template <class Append>
+FaceLists make_lists(std::size_t faces, Job& job, const Append& append) {
+  const std::size_t chunk_count = (faces + grain - 1) / grain;
+  std::vector<std::vector<Index>> part(chunk_count);
+  FaceLists lists;
+  lists.begin.assign(faces + 1, 0);
+  job.parallel(faces, grain, Loop::minor, [&](Chunks& chunks) {
+    Marks marks(faces);
+    while (chunks.next()) {
+      std::vector<Index>& list = part[chunks.index()];
+      for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
+        const std::size_t before = list.size();
+        marks.clear();
+        append(static_cast<Index>(f), marks, list);
+        lists.begin[f + 1] = list.size() - before;
+      }
+    }
+  });
+  for (std::size_t f = 0; f < faces; ++f) lists.begin[f + 1] += lists.begin[f];
+  lists.face.resize(lists.begin[faces]);
+  job.parallel(chunk_count, 1, Loop::minor, [&](Chunks& chunks) {
+    while (chunks.next())
+      for (std::size_t c = chunks.begin(); c < chunks.end(); ++c) {
+        std::copy(part[c].begin(), part[c].end(),
+                  lists.face.begin() + static_cast<std::ptrdiff_t>(lists.begin[c * grain]));
+        std::vector<Index>().swap(part[c]);
+      }
+  });
+  return lists;
+}
+
+/// Sum and number of lengths, over the edges at v as its faces see them: inner ones twice.
+double mean_edge_length(const MeshArrays& mesh, Index v, double otherwise) {
+  const MeshTopology& topology = mesh.topology;
+  double sum = 0;
+  for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
+    const Index corner = topology.star[s];
+    sum += (mesh.position[vertex_of(mesh, next_in_face(corner))] - mesh.position[v]).norm();
+    sum += (mesh.position[vertex_of(mesh, previous_in_face(corner))] - mesh.position[v]).norm();
+  }
+  const std::size_t count = 2 * faces_of(topology, v);
+  return count > 0 ? sum / static_cast<double>(count) : otherwise;
+}
+
+std::vector<double> mean_over_ring(const MeshArrays& mesh, const std::vector<double>& value, Job& job) {
+  const MeshTopology& topology = mesh.topology;
+  std::vector<double> mean(mesh.size());
+  job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
+    while (chunks.next())
+      for (std::size_t v = chunks.begin(); v < chunks.end(); ++v) {
+        double sum = value[v];
+        for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
+          const Index corner = topology.star[s];
+          sum += value[vertex_of(mesh, next_in_face(corner))] + value[vertex_of(mesh, previous_in_face(corner))];
+        }
+        mean[v] = sum / static_cast<double>(1 + 2 * faces_of(topology, static_cast<Index>(v)));
+      }
+  });
+  return mean;
+}
+
+}  // namespace
+
+std::vector<Index> faces_across(const MeshArrays& mesh, Job& job) {
+  struct Side {
+    Index end;     ///< the edge's other vertex, of higher index
+    Index corner;  ///< opposite to the edge
+  };
+  const MeshTopology& topology = mesh.topology;
+  std::vector<Index> across(3 * mesh.face.size(), no_face);
+  job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
+    std::vector<Side> sides;
+    while (chunks.next())
+      for (auto v = static_cast<Index>(chunks.begin()); v < chunks.end(); ++v) {
+        sides.clear();
+        for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
+          const Index corner = topology.star[s];
+          const Index next = next_in_face(corner);
+          const Index previous = previous_in_face(corner);
+          if (vertex_of(mesh, next) > v) sides.push_back({vertex_of(mesh, next), previous});
+          if (vertex_of(mesh, previous) > v) sides.push_back({vertex_of(mesh, previous), next});
+        }
+        std::sort(sides.begin(), sides.end(),
+                  [](const Side& a, const Side& b) { return a.end != b.end ? a.end < b.end : a.corner < b.corner; });
+        for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+          while (end < sides.size() && sides[end].end == sides[begin].end) ++end;
+          if (end - begin != 2) continue;
+          across[sides[begin].corner] = sides[begin + 1].corner / 3;
+          across[sides[begin + 1].corner] = sides[begin].corner / 3;
+        }
+      }
+  });
+  return across;
+}
+
+FaceLists faces_around(const MeshArrays& mesh, const std::vector<Index>& across, Job& job) {
+  const MeshTopology& topology = mesh.topology;
+  return make_lists(mesh.face.size(), job, [&](Index f, Marks& marks, std::vector<Index>& list) {
+    const auto add = [&](Index g) {
+      if (g != no_face && marks.add(g)) list.push_back(g);
+    };
+    add(f);
+    for (int k = 0; k < 3; ++k) add(across[3 * f + static_cast<Index>(k)]);
+    for (const Index v : mesh.face[f]) {
+      if (faces_of(topology, v) > many_faces) continue;
+      for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) add(topology.star[s] / 3);
+    }
+  });
+}
+
+std::vector<double> local_spacing(const MeshArrays& mesh, bool follow_edge_length, Job& job) {
+  constexpr int rings = 3;
+  constexpr double centroids_per_edge = 0.6;  // about: 1 / sqrt(3) between equilateral triangles
+  constexpr double shortest = 1e-6;           // |e|; a neighbourhood has an extent even where all vertices coincide
+  const double e = mesh.topology.average_edge_length;
+  std::vector<double> spacing(mesh.face.size(), centroids_per_edge * e);
+  if (!follow_edge_length) return spacing;
+  std::vector<double> length(mesh.size());
+  job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
+    while (chunks.next())
+      for (std::size_t v = chunks.begin(); v < chunks.end(); ++v)
+        length[v] = mean_edge_length(mesh, static_cast<Index>(v), e);
+  });
+  for (int ring = 0; ring < rings; ++ring) length = mean_over_ring(mesh, length, job);
+  for (std::size_t f = 0; f < spacing.size(); ++f) {
+    const auto& v = mesh.face[f];
+    spacing[f] = std::max(centroids_per_edge * (length[v[0]] + length[v[1]] + length[v[2]]) / 3, shortest * e);
+  }
+  return spacing;
+}
+
+FaceLists faces_within(const FaceLists& around, const std::vector<Vec3>& centroid, const std::vector<double>& spacing,
+                       double radius, Job& job) {
+  constexpr std::size_t fewest = 4;
+  return make_lists(centroid.size(), job, [&](Index f, Marks& marks, std::vector<Index>& list) {
+    const std::size_t begin = list.size();
+    const double limit = radius * spacing[f] * radius * spacing[f];
+    marks.add(f);
+    list.push_back(f);
+    for (std::size_t k = begin; k < list.size() && list.size() - begin < most_faces; ++k) {
+      const Index g = list[k];
+      for (const Index* h = around.first(g); h != around.last(g); ++h)
+        if (marks.add(*h) && (centroid[*h] - centroid[f]).squaredNorm() < limit) list.push_back(*h);
+    }
+    if (list.size() - begin < fewest)
+      for (const Index* h = around.first(f); h != around.last(f); ++h)
+        if (std::find(list.begin() + static_cast<std::ptrdiff_t>(begin), list.end(), *h) == list.end())
+          list.push_back(*h);
+  });
+}
+
+}  // namespace vcg_core::detail

@@ -1,0 +1,132 @@
+#include "guide_normals.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <vcg_core/detail/job.h>
+
+#include "noise_estimate.h"
+#include "range_weight.h"
+
+namespace vcg_core::detail {
+
+namespace {
+
+constexpr std::size_t grain = 1024;
+
+/// The faces around one face, taken together.
+struct Patch {
+  Vec3 mean = Vec3::Zero();  ///< mean normal by area, of unit length
+  double inconsistency = 0;  ///< equations (6) to (8) of the source: the smaller the better
+  double spread = 0;         ///< 1 - length of the mean of the unit normals
+};
+
+/// Measures patches; remembers which faces belong to the current one.
+class PatchMeasure {
+ public:
+  PatchMeasure(const FaceLists& around, const std::vector<Index>& across, const std::vector<double>& area,
+               const std::vector<Vec3>& normal)
+      : around_(around), across_(across), area_(area), normal_(normal), member_of_(area.size(), no_face) {}
+
+  Patch measure(Index f) {
+    Patch patch;
+    double total = 0;
+    for (const Index* g = around_.first(f); g != around_.last(f); ++g) {
+      patch.mean += area_[*g] * normal_[*g];
+      total += area_[*g];
+    }
+    const double length = patch.mean.norm();
+    patch.mean = length > 0 ? Vec3(patch.mean / length) : normal_[f];
+    patch.spread = total > 0 ? 1 - length / total : 0;
+    patch.inconsistency = widest_difference(f, patch.mean) * edge_concentration(f);
+    return patch;
+  }
+
+ private:
+  /// The largest distance of a normal from the patch's mean.
+  double widest_difference(Index f, const Vec3& mean) {
+    double widest = 0;
+    for (const Index* g = around_.first(f); g != around_.last(f); ++g) {
+      member_of_[*g] = f;
+      widest = std::max(widest, (normal_[*g] - mean).squaredNorm());
+    }
+    return std::sqrt(widest);
+  }
+
+  /// The largest jump over an edge inside the patch, in the sum of all: near 1 when one edge stands out.
+  double edge_concentration(Index f) const {
+    constexpr double no_jumps = 1e-9;
+    double sum = no_jumps;
+    double largest = 0;
+    for (const Index* g = around_.first(f); g != around_.last(f); ++g)
+      for (Index k = 0; k < 3; ++k) {
+        const Index h = across_[3 * *g + k];
+        if (h == no_face || h < *g || member_of_[h] != f) continue;
+        const double jump = (normal_[*g] - normal_[h]).norm();
+        sum += jump;
+        largest = std::max(largest, jump);
+      }
+    return largest / sum;
+  }
+
+  const FaceLists& around_;
+  const std::vector<Index>& across_;
+  const std::vector<double>& area_;
+  const std::vector<Vec3>& normal_;
+  std::vector<Index> member_of_;
+};
+
+Vec3 bilateral_mean(const FaceLists& around, Index f, const std::vector<double>& area, const std::vector<Vec3>& normal,
+                    const RangeWeight& weight) {
+  Vec3 sum = Vec3::Zero();
+  for (const Index* g = around.first(f); g != around.last(f); ++g)
+    sum += area[*g] * weight((normal[*g] - normal[f]).squaredNorm()) * normal[*g];
+  const double length = sum.norm();
+  return length > 0 ? Vec3(sum / length) : normal[f];
+}
+
+}  // namespace
+
+std::vector<Vec3> guide_normals(const FaceLists& around, const std::vector<Index>& across, const FaceGeometry& faces,
+                                const std::vector<Vec3>& normal, const GuidedSettings& settings, Job& job) {
+  const std::size_t count = normal.size();
+  std::vector<Patch> patch(count);
+  job.parallel(count, grain, Loop::minor, [&](Chunks& chunks) {
+    PatchMeasure measure(around, across, faces.area, normal);
+    while (chunks.next())
+      for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) patch[f] = measure.measure(static_cast<Index>(f));
+  });
+
+  std::vector<Vec3> guide(count);
+  std::vector<double> spread(count);
+  job.parallel(count, grain, Loop::minor, [&](Chunks& chunks) {
+    while (chunks.next())
+      for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
+        const Index* best = around.first(f);
+        for (const Index* g = best; g != around.last(f); ++g)
+          if (patch[*g].inconsistency < patch[*best].inconsistency) best = g;
+        guide[f] = patch[*best].mean;
+        spread[f] = patch[*best].spread;
+      }
+  });
+  if (!settings.guard_thin_parts) return guide;
+
+  const double trusted = settings.patch_spread * median(spread) + settings.patch_spread_floor;
+  const double refused = settings.patch_fade * trusted;
+  const RangeWeight weight(
+      std::max(settings.ring_range_floor, settings.ring_range * median_normal_difference(normal, across)));
+  job.parallel(count, grain, Loop::minor, [&](Chunks& chunks) {
+    while (chunks.next())
+      for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
+        if (spread[f] <= trusted) continue;
+        const double trust = std::max(0.0, (refused - spread[f]) / (refused - trusted));
+        const Vec3 mean = bilateral_mean(around, static_cast<Index>(f), faces.area, normal, weight);
+        const Vec3 blend = trust * guide[f] + (1 - trust) * mean;
+        const double length = blend.norm();
+        if (length > 1e-9) guide[f] = blend / length;
+      }
+  });
+  return guide;
+}
+
+}  // namespace vcg_core::detail

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include <vcg_core/detail/mesh_arrays.h>
+
+#include "face_geometry.h"
+#include "face_neighborhoods.h"
+#include "guided_settings.h"
+
+namespace vcg_core::detail {
+
+/// A guide for each face: what its normal is like when noise is averaged away and edges are not.
+///
+/// Source: Zhang, Deng, Zhang, Bouaziz, Liu: Guided mesh normal filtering, 2015, section 3: of the patches that hold
+/// the face (each the faces around one face), the one with the most consistent normals lends its mean normal. New here:
+/// the patch is trusted only if its normals spread no wider than those of most other best patches. Where all patches
+/// reach over an edge, as on parts one edge length thick, the guide is a bilateral mean over the faces around.
+/// @param normal  filtered so far
+std::vector<Vec3> guide_normals(const FaceLists& around, const std::vector<Index>& across, const FaceGeometry& faces,
+                                const std::vector<Vec3>& normal, const GuidedSettings& settings, Job& job);
+
+}  // namespace vcg_core::detail

@@ -1,0 +1,88 @@
+#include "vertex_update.h"
+
+#include <Eigen/Geometry>
+
+#include <vcg_core/detail/job.h>
+
+namespace vcg_core::detail {
+
+namespace {
+
+constexpr std::size_t grain = 4096;
+
+/// Marks the vertices of folded faces.
+std::vector<std::uint8_t> find_folds(const MeshArrays& mesh, const std::vector<Vec3>& normal,
+                                     const std::vector<Vec3>& position, double cosine, Job& job) {
+  std::vector<std::uint8_t> face_folded(mesh.face.size());
+  job.parallel(mesh.face.size(), grain, Loop::minor, [&](Chunks& chunks) {
+    while (chunks.next())
+      for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
+        const auto& v = mesh.face[f];
+        const Vec3 cross = (position[v[1]] - position[v[0]]).cross(position[v[2]] - position[v[0]]);
+        face_folded[f] = cross.dot(normal[f]) < cosine * cross.norm();
+      }
+  });
+  std::vector<std::uint8_t> folded(mesh.size(), 0);
+  for (std::size_t f = 0; f < mesh.face.size(); ++f)
+    if (face_folded[f])
+      for (const Index v : mesh.face[f]) folded[v] = 1;
+  return folded;
+}
+
+Vec3 step_to_planes(const MeshArrays& mesh, const std::vector<Vec3>& normal, const std::vector<Vec3>& position,
+                    Index v) {
+  const MeshTopology& topology = mesh.topology;
+  Vec3 sum = Vec3::Zero();
+  for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
+    const Index corner = topology.star[s];
+    const Vec3 to_others = position[vertex_of(mesh, next_in_face(corner))] +
+                           position[vertex_of(mesh, previous_in_face(corner))] - 2 * position[v];
+    const Vec3& n = normal[corner / 3];
+    sum += n * (n.dot(to_others) / 3);  // c_f - v is a third of to_others
+  }
+  return sum / static_cast<double>(topology.star_begin[v + 1] - topology.star_begin[v]);
+}
+
+/// The way to the middle of the ring, less its part along the normals of the faces.
+Vec3 step_within_surface(const MeshArrays& mesh, const std::vector<Vec3>& normal, const std::vector<Vec3>& position,
+                         Index v) {
+  const MeshTopology& topology = mesh.topology;
+  const double count = topology.star_begin[v + 1] - topology.star_begin[v];
+  Vec3 to_middle = Vec3::Zero();
+  for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
+    const Index corner = topology.star[s];
+    to_middle += position[vertex_of(mesh, next_in_face(corner))] + position[vertex_of(mesh, previous_in_face(corner))] -
+                 2 * position[v];
+  }
+  to_middle /= 2 * count;
+  Vec3 along_normals = Vec3::Zero();
+  for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
+    const Vec3& n = normal[topology.star[s] / 3];
+    along_normals += n * n.dot(to_middle);
+  }
+  return to_middle - along_normals / count;
+}
+
+}  // namespace
+
+void update_positions(const MeshArrays& mesh, const std::vector<Vec3>& normal, const std::vector<std::uint8_t>& movable,
+                      int updates, const GuidedSettings& settings, std::vector<Vec3>& position, Job& job) {
+  std::vector<std::uint8_t> folded(mesh.size(), 0);
+  std::vector<Vec3> moved(position);
+  for (int update = 0; update < updates; ++update) {
+    if (settings.unfold && update % settings.updates_between_fold_checks == 0)
+      folded = find_folds(mesh, normal, position, settings.fold_cosine, job);
+    job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
+      while (chunks.next())
+        for (auto v = static_cast<Index>(chunks.begin()); v < chunks.end(); ++v) {
+          if (!movable[v]) continue;
+          moved[v] = position[v] + step_to_planes(mesh, normal, position, v);
+          if (folded[v] && !mesh.topology.border[v])
+            moved[v] += settings.unfold_step * step_within_surface(mesh, normal, position, v);
+        }
+    });
+    position.swap(moved);
+  }
+}
+
+}  // namespace vcg_core::detail
