@@ -39,7 +39,7 @@ LanePass::LanePass() : LanePass(*supported_lane_kernels().front()) {}
 LanePass::LanePass(const LaneKernel& kernel) : kernel_(kernel) {}
 
 std::vector<Vec3> LanePass::run(const PassInput& in) {
-  if (!kept_) kept_ = Kept{make_rings(in.mesh, in.job), group_sources(in.mesh, in.movable, kernel_.lanes)};
+  if (!kept_) kept_ = Kept{make_rings(in.mesh, in.job), group_sources(in.mesh, kernel_.lanes)};
   const SourceGroups& groups = kept_->groups;
   const LaneMesh lanes{in.mesh, kept_->ring, in.position, in.normal};
   const LaneParameters constants = lane_parameters(in.parameters);
@@ -54,11 +54,14 @@ std::vector<Vec3> LanePass::run(const PassInput& in) {
       for (std::size_t g = chunks.begin(); g < chunks.end(); ++g) {
         const Index* sources = groups.member.data() + groups.begin[g];
         const std::uint32_t count = groups.begin[g + 1] - groups.begin[g];
+        const auto moves = [&](Index v) { return in.movable[v] != 0; };
+        if (std::none_of(sources, sources + count, moves)) continue;
         const Patch& patch = builder.build(sources, count, reach);
         kernel_.march(patch, constants, poll, &chunks);
         kernel_.offsets(patch, constants, offset);
         for (std::uint32_t lane = 0; lane < count; ++lane)
-          moved[sources[lane]] -= in.normal[sources[lane]] * (static_cast<double>(offset[lane]) * unit);
+          if (moves(sources[lane]))
+            moved[sources[lane]] -= in.normal[sources[lane]] * (static_cast<double>(offset[lane]) * unit);
       }
   });
   return moved;

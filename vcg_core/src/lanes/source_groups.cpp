@@ -11,9 +11,11 @@ namespace {
 /// groups have neighbourhoods that overlap most.
 class Grouper {
  public:
-  Grouper(const MeshArrays& mesh, const std::vector<std::uint8_t>& wanted, std::uint32_t lanes)
-      : mesh_(mesh), lanes_(lanes), state_(mesh.size()) {
-    for (std::size_t v = 0; v < mesh.size(); ++v) state_[v] = wanted[v] ? State::left : State::taken;
+  Grouper(const MeshArrays& mesh, std::uint32_t lanes) : mesh_(mesh), lanes_(lanes), state_(mesh.size()) {
+    for (std::size_t v = 0; v < mesh.size(); ++v) {
+      const bool has_faces = mesh.topology.star_begin[v] != mesh.topology.star_begin[v + 1];
+      state_[v] = has_faces ? State::left : State::taken;
+    }
   }
 
   SourceGroups run() {
@@ -82,8 +84,6 @@ class Grouper {
 
 }  // namespace
 
-SourceGroups group_sources(const MeshArrays& mesh, const std::vector<std::uint8_t>& wanted, std::uint32_t lanes) {
-  return Grouper(mesh, wanted, lanes).run();
-}
+SourceGroups group_sources(const MeshArrays& mesh, std::uint32_t lanes) { return Grouper(mesh, lanes).run(); }
 
 }  // namespace vcg_core::detail

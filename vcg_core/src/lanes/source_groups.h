@@ -15,7 +15,7 @@ struct SourceGroups {
   std::size_t size() const { return begin.size() - 1; }
 };
 
-/// Groups the vertices that are wanted, growing each group along the mesh from the lowest vertex left.
-SourceGroups group_sources(const MeshArrays& mesh, const std::vector<std::uint8_t>& wanted, std::uint32_t lanes);
+/// Groups the vertices that have faces, growing each group along the mesh from the lowest vertex left.
+SourceGroups group_sources(const MeshArrays& mesh, std::uint32_t lanes);
 
 }  // namespace vcg_core::detail
