@@ -36,7 +36,8 @@ struct Nearest {
     const Vector h_s = Simd::mul(Simd::sqrt(Simd::max(product, Simd::set(0))), half_inverse);
     const Vector height = Simd::add(h_s, Simd::set(shape.y));
     const Vector crossing = Simd::mul_add(x_s, Simd::set(shape.y), Simd::mul(Simd::set(shape.x), h_s));
-    // Strictly: where all lies on one line, both sides are 0. Through an end of the edge, the way around it is the same.
+    // Strictly: where all lies on one line, both sides are 0. Through an end of the edge, the way around it is the
+    // same.
     const Mask between = Simd::less(Simd::abs(crossing), Simd::mul(Simd::set(shape.half_edge), height));
     const Vector dx = Simd::sub(Simd::set(shape.x), x_s);
     squared = Simd::min_where(between, squared, Simd::mul_add(dx, dx, Simd::mul(height, height)));
