@@ -35,7 +35,7 @@ Scalar distance_by_virtual_start(const TriangleFrame<Scalar>& t, Scalar d_1, Sca
   if (!(h_s_squared >= -touching * t.edge * t.edge)) return around;
   const Scalar h_s = std::sqrt(std::max(h_s_squared, Scalar(0)));
   const Scalar height = h_s + t.y;
-  if (!(height > 0)) return around;  // all on one line, which meets the edge nowhere or everywhere
+  if (!(height > 0)) return around;               // all on one line, which meets the edge nowhere or everywhere
   const Scalar crossing = x_s * t.y + t.x * h_s;  // where the line meets the edge, times height
   if (!(crossing >= 0 && crossing <= t.edge * height)) return around;
   return std::min(around, std::sqrt((t.x - x_s) * (t.x - x_s) + height * height));
