@@ -259,6 +259,15 @@ TEST_F(MeshIo, stl_merges_the_corners_of_its_triangles) {
     for (int k = 0; k < 3; ++k) ASSERT_EQ(read.mesh.face[i].cP(k), written.mesh.face[i].cP(k));
 }
 
+TEST_F(MeshIo, stl_keeps_face_colours_to_five_bits) {
+  const MeshFile written = decorated(Precision::single_precision, Mask::IOM_FACECOLOR);
+  EXPECT_TRUE(mesh_tools::write_mesh(written, path("a.stl")).empty());
+  const MeshFile read = mesh_tools::read_mesh(path("a.stl"));
+  EXPECT_EQ(read.attributes, Mask::IOM_FACECOLOR);
+  for (int i = 0; i < read.mesh.fn; ++i)
+    for (int k = 0; k < 3; ++k) ASSERT_NEAR(read.mesh.face[i].cC()[k], written.mesh.face[i].cC()[k], 8);
+}
+
 TEST_F(MeshIo, stl_in_text_is_read) {
   const MeshFile file = mesh_tools::read_mesh(
       write("a.stl",

@@ -38,10 +38,11 @@ struct MeshFile {
   std::vector<std::string> warnings;  ///< what could not be kept, in sentences
 };
 
-/// Reads PLY, OBJ, OFF or STL, told by the extension. PLY and STL are read by vcglib's importers, after a check of the
-/// whole file, for these trust what they read. OBJ and OFF are read by readers of our own: vcglib's OBJ importer of
-/// MeshLab 2020.09 drops every face that refers to the first vertex, its OFF importer does not check indices.
-/// Polygons are cut into fans of triangles. STL knows no shared vertices: those at exactly the same place are merged.
+/// Reads PLY, OBJ, OFF or STL, told by the extension. PLY is read by vcglib's importer, after a check of the whole
+/// file, for it trusts what it reads. The others are read by readers of our own: vcglib's OBJ importer of MeshLab
+/// 2020.09 drops every face that refers to the first vertex, its OFF importer does not check indices, its STL importer
+/// runs past a buffer. Polygons are cut into fans of triangles. STL knows no shared vertices: those at exactly the same
+/// place are merged.
 /// @throws FileError
 MeshFile read_mesh(const std::filesystem::path& path);
 

@@ -41,6 +41,8 @@ constexpr int stl_attributes = face_color;
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& what);
 [[noreturn]] void fail_at_line(const std::filesystem::path& path, std::size_t line, const std::string& what);
 
+bool is_big_endian_machine();
+
 /// The whole file as bytes.
 std::string read_bytes(const std::filesystem::path& path);
 bool write_bytes(const std::string& bytes, const std::filesystem::path& path);

@@ -24,6 +24,13 @@ void fail_at_line(const fs::path& path, std::size_t line, const std::string& wha
   throw FileError(path.string() + ", line " + std::to_string(line) + ": " + what);
 }
 
+bool is_big_endian_machine() {
+  const std::uint16_t one = 1;
+  unsigned char first = 0;
+  std::memcpy(&first, &one, 1);
+  return first == 0;
+}
+
 std::string read_bytes(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) fail(path, std::string("cannot be read: ") + std::strerror(errno));

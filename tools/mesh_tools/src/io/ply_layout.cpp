@@ -258,11 +258,4 @@ std::string to_little_endian(const std::string& bytes, const PlyLayout& layout) 
   return result.replace(result.find(word), word.size(), "binary_little_endian");
 }
 
-bool is_big_endian_machine() {
-  const std::uint16_t one = 1;
-  unsigned char first = 0;
-  std::memcpy(&first, &one, 1);
-  return first == 0;
-}
-
 }  // namespace mesh_tools::io

@@ -43,6 +43,4 @@ void check_ply_data(const std::string& bytes, const PlyLayout& layout, const std
 /// The same file with its numbers turned to little endian. The data must have passed check_ply_data().
 std::string to_little_endian(const std::string& bytes, const PlyLayout& layout);
 
-bool is_big_endian_machine();
-
 }  // namespace mesh_tools::io

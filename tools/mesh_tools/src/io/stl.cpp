@@ -1,16 +1,17 @@
-// STL: vcglib reads and writes it, after and before a check of our own.
+// STL, text and binary. Written by vcglib; read here, because vcglib's reader runs past its buffer on any header
+// without a zero byte, and trusts the number of facets.
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <unordered_map>
 
 #include <mesh_tools/mesh.h>  // these two first: the headers of vcglib below need them
 #include <wrap/io_trimesh/io_mask.h>
 
-#include <vcg/complex/algorithms/clean.h>
 #include <vcg/complex/algorithms/update/bounding.h>
 #include <wrap/io_trimesh/export_stl.h>
-#include <wrap/io_trimesh/import_stl.h>
 
 #include "formats.h"
 #include "text.h"
@@ -30,83 +31,123 @@ bool is_binary(const std::string& bytes) {
   return bytes.size() >= header_size && bytes.size() == header_size + facet_size * facet_count(bytes);
 }
 
-/// Throws unless the text is what vcglib's reader takes for granted; returns the number of facets.
-std::size_t check_text(const std::string& bytes, const std::filesystem::path& path) {
+struct Facet {
+  vcg::Point3f corner[3];
+  std::uint16_t attribute = 0;  // in binary files the colour, if its highest bit is set
+};
+
+std::vector<Facet> read_text(const std::string& bytes, const std::filesystem::path& path) {
   LineReader reader(bytes, path);
   std::vector<std::string_view> words;
-  std::size_t facets = 0;
+  std::vector<Facet> facets;
   const auto expect = [&](const char* first, std::size_t numbers, std::size_t from) {
     if (!reader.next(words)) reader.fail("the file ends within a facet");
     if (words[0] != first || words.size() != from + numbers)
       reader.fail("'" + std::string(first) + "' with " + std::to_string(numbers) + " numbers is expected here");
-    for (std::size_t k = from; k < words.size(); ++k) reader.number(words[k]);
   };
   while (reader.next(words)) {
     if (words[0] == "solid" || words[0] == "endsolid") continue;
     if (words[0] != "facet" || words.size() != 5) reader.fail("'facet normal' with 3 numbers is expected here");
+    Facet& facet = facets.emplace_back();
     expect("outer", 0, 2);
-    for (int k = 0; k < 3; ++k) expect("vertex", 3, 1);
+    for (vcg::Point3f& corner : facet.corner) {
+      expect("vertex", 3, 1);
+      for (int k = 0; k < 3; ++k) corner[k] = static_cast<float>(reader.number(words[1 + k]));
+    }
     expect("endloop", 0, 1);
     expect("endfacet", 0, 1);
-    ++facets;
   }
   return facets;
 }
 
-/// Gives faces common vertices: those at exactly the same place become one, the first in the file.
-void merge_vertices(MeshF& mesh) {
+std::vector<Facet> read_binary(const std::string& bytes) {
+  std::vector<Facet> facets(facet_count(bytes));
+  const char* at = bytes.data() + header_size;
+  const auto take = [&at](auto& value) {
+    char raw[sizeof value];
+    std::memcpy(raw, at, sizeof value);
+    if (is_big_endian_machine()) std::reverse(raw, raw + sizeof value);
+    std::memcpy(&value, raw, sizeof value);
+    at += sizeof value;
+  };
+  for (Facet& facet : facets) {
+    at += 3 * sizeof(float);  // the normal, which follows from the corners
+    for (vcg::Point3f& corner : facet.corner)
+      for (int k = 0; k < 3; ++k) take(corner[k]);
+    take(facet.attribute);
+  }
+  return facets;
+}
+
+/// Two programs put colours into the attribute, in opposite orders of red and blue; one of them says so in the header.
+bool has_red_first(const std::string& bytes) {
+  const std::string header = bytes.substr(0, 80);
+  return header.find("COLOR=") != header.npos && header.find("MATERIAL=") != header.npos;
+}
+
+/// Gives faces common vertices: corners at exactly the same place become one vertex, in the order of the file.
+class VertexMerger {
+ public:
+  std::size_t vertex_at(const vcg::Point3f& place) {
+    std::array<std::uint32_t, 3> key;
+    for (int k = 0; k < 3; ++k) {
+      const float value = place[k] + 0.0f;  // -0 and 0 are the same place
+      std::memcpy(&key[k], &value, sizeof value);
+    }
+    const auto [entry, is_new] = vertex_at_.try_emplace(key, places.size());
+    if (is_new) places.push_back(place);
+    return entry->second;
+  }
+
+  std::vector<vcg::Point3f> places;
+
+ private:
   struct Hash {
     std::size_t operator()(const std::array<std::uint32_t, 3>& key) const {
       std::uint64_t hash = 0;
-      for (std::uint32_t part : key) hash = (hash ^ part) * 0x9e3779b97f4a7c15u + (hash >> 29);
+      for (const std::uint32_t part : key) hash = (hash ^ part) * 0x9e3779b97f4a7c15u + (hash >> 29);
       return hash;
     }
   };
-  std::unordered_map<std::array<std::uint32_t, 3>, MeshF::VertexPointer, Hash> first_at;
-  first_at.reserve(mesh.vert.size());
-  std::vector<MeshF::VertexPointer> merged(mesh.vert.size());
-  for (auto& vertex : mesh.vert) {
-    std::array<std::uint32_t, 3> key;
-    for (int k = 0; k < 3; ++k) {
-      const float value = vertex.P()[k] + 0.0f;  // -0 and 0 are the same place
-      std::memcpy(&key[k], &value, sizeof value);
-    }
-    merged[vcg::tri::Index(mesh, vertex)] = first_at.try_emplace(key, &vertex).first->second;
+  std::unordered_map<std::array<std::uint32_t, 3>, std::size_t, Hash> vertex_at_;
+};
+
+void build(const std::vector<Facet>& facets, Mesh& mesh) {
+  VertexMerger merger;
+  std::vector<std::array<std::size_t, 3>> corners;
+  for (const Facet& facet : facets)
+    corners.push_back(
+        {merger.vertex_at(facet.corner[0]), merger.vertex_at(facet.corner[1]), merger.vertex_at(facet.corner[2])});
+  auto vertex = vcg::tri::Allocator<Mesh>::AddVertices(mesh, merger.places.size());
+  for (const vcg::Point3f& place : merger.places) (vertex++)->P().Import(place);
+  auto face = vcg::tri::Allocator<Mesh>::AddFaces(mesh, corners.size());
+  for (const auto& corner : corners) {
+    for (int k = 0; k < 3; ++k) face->V(k) = &mesh.vert[corner[k]];
+    ++face;
   }
-  for (auto& face : mesh.face)
-    for (int k = 0; k < 3; ++k) face.V(k) = merged[vcg::tri::Index(mesh, face.V(k))];
-  for (std::size_t i = 0; i < merged.size(); ++i)
-    if (merged[i] != &mesh.vert[i]) vcg::tri::Allocator<MeshF>::DeleteVertex(mesh, mesh.vert[i]);
 }
 
 }  // namespace
 
 MeshFile read_stl(const std::filesystem::path& path) {
-  std::size_t facets = 0;
-  {
-    const std::string bytes = read_bytes(path);
-    if (is_binary(bytes)) {
-      facets = facet_count(bytes);
-    } else {
-      if (bytes.compare(0, 5, "solid") != 0 || bytes.find('\0') != std::string::npos)
-        fail(path,
-             "is neither text STL, which begins with 'solid', nor binary STL, whose size is 84 + 50 bytes a facet");
-      facets = check_text(bytes, path);
-    }
-  }
-  if (facets == 0) fail(path, "holds no facets");
-  MeshF mesh;
+  const std::string bytes = read_bytes(path);
+  const bool binary = is_binary(bytes);
+  if (!binary && (bytes.compare(0, 5, "solid") != 0 || bytes.find('\0') != std::string::npos))
+    fail(path, "is neither text STL, which begins with 'solid', nor binary STL, whose size is 84 + 50 bytes a facet");
+  const std::vector<Facet> facets = binary ? read_binary(bytes) : read_text(bytes, path);
+  if (facets.empty()) fail(path, "holds no facets");
   MeshFile file;
   file.precision = Precision::single_precision;
-  int mask = vcg::tri::io::Mask::IOM_FACECOLOR;
-  const int error = vcg::tri::io::ImporterSTL<MeshF>::Open(mesh, path.c_str(), mask);
-  if (error != 0) fail(path, std::string("cannot be read: ") + vcg::tri::io::ImporterSTL<MeshF>::ErrorMsg(error));
-  if (mesh.face.size() != facets)
-    fail(path,
-         "has " + std::to_string(facets) + " facets, of which " + std::to_string(mesh.face.size()) + " were read");
-  file.attributes = mask & face_color;
-  merge_vertices(mesh);
-  convert(mesh, file.mesh);
+  build(facets, file.mesh);
+  const bool red_first = has_red_first(bytes);
+  constexpr std::uint16_t is_color = 0x8000;
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    const std::uint16_t attribute = facets[i].attribute;
+    if (!(attribute & is_color)) continue;
+    file.mesh.face[i].C() =
+        red_first ? vcg::Color4b::FromUnsignedR5G5B5(attribute) : vcg::Color4b::FromUnsignedB5G5R5(attribute);
+    file.attributes |= face_color;
+  }
   vcg::tri::UpdateBounding<Mesh>::Box(file.mesh);
   return file;
 }
