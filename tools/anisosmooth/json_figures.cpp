@@ -38,6 +38,9 @@ ordered_json to_json(const vcg_core::MethodInfo& method, const vcg_core::Smoothi
   add("rho", parameters.rho);
   add("iterations", parameters.iterations);
   add("gaussian", parameters.gaussian == vcg_core::GaussianForm::printed ? "printed" : "standard_deviation");
+  add("strength", parameters.strength);
+  add("feature_angle", parameters.feature_angle);
+  add("smooth_color", parameters.smooth_color);
   json["boundary"] = parameters.boundary == vcg_core::Boundary::free ? "free" : "fixed";
   json["selected"] = parameters.selected_only;
   return json;

@@ -24,9 +24,11 @@ using vcg_core::SmoothingReport;
 
 struct Options {
   std::string input, output, report;
-  std::string method = "paper", boundary = "fixed", gaussian = "standard_deviation";
-  std::optional<double> sigma_c, sigma_s, sigma_n, rho;
+  std::string method = "paper", gaussian = "standard_deviation";
+  std::optional<std::string> boundary;
+  std::optional<double> sigma_c, sigma_s, sigma_n, rho, strength, feature_angle;
   std::optional<int> iterations;
+  std::optional<bool> smooth_color;
   std::optional<bool> selected;  // empty: if the file has a selection
   int threads = 0;
   bool quiet = false;
@@ -66,13 +68,17 @@ SmoothingParameters parameters_of(const Options& options, const MethodInfo& meth
   take("sigma_n", options.sigma_n, parameters.sigma_n);
   take("rho", options.rho, parameters.rho);
   take("iterations", options.iterations, parameters.iterations);
-  parameters.boundary =
-      chosen<Boundary>("boundary", options.boundary, {{"fixed", Boundary::fixed}, {"free", Boundary::free}});
+  take("strength", options.strength, parameters.strength);
+  take("feature_angle", options.feature_angle, parameters.feature_angle);
+  take("smooth_color", options.smooth_color, parameters.smooth_color);
+  if (options.boundary)
+    parameters.boundary =
+        chosen<Boundary>("boundary", *options.boundary, {{"fixed", Boundary::fixed}, {"free", Boundary::free}});
   parameters.gaussian = chosen<GaussianForm>(
       "gaussian", options.gaussian,
       {{"standard_deviation", GaussianForm::standard_deviation}, {"printed", GaussianForm::printed}});
   parameters.threads = options.threads;
-  parameters.validate();
+  parameters.validate(method.fewest_iterations);
   print_warnings(warnings);
   return parameters;
 }
@@ -159,8 +165,18 @@ std::function<void()> declare_smooth(CLI::App& app) {
                  "the paper uses 0.1 to 0.3]");
   app.add_option("--rho", options->rho, "Cut-off distance of the neighbourhood, in sigma_c; > 0 [default 2]");
   app.add_option("--iterations", options->iterations,
-                 "Number of passes; >= 1 [default 1; the other filters have their own]");
-  app.add_option("--boundary", options->boundary, "Whether border vertices move: fixed or free")->capture_default_str();
+                 "Number of passes; >= 1 [default 1; the other filters have their own; 0 with method guided: by the noise]");
+  app.add_option("--strength", options->strength,
+                 "Method guided: strength, as a multiple of what the mesh's own noise asks for; above 0, at most 10 "
+                 "[default 1]");
+  app.add_option("--feature-angle", options->feature_angle,
+                 "Method guided: angle between faces, in degrees, from which an edge is kept; above 0, at most 90 "
+                 "[default 30]");
+  app.add_flag_callback(
+      "--smooth-color", [options] { options->smooth_color = true; },
+      "Method guided: smooth the vertices' colour and quality as well, but not over edges");
+  app.add_option("--boundary", options->boundary,
+                 "Whether border vertices move: fixed or free [default fixed; method guided: free]");
   CLI::Option* selected = app.add_flag_callback(
       "--selected", [options] { options->selected = true; },
       "Move only selected vertices and those of selected faces [default: if the file has a selection]");

@@ -6,6 +6,7 @@
 #include <vcg_core/detail/job.h>
 
 #include "filter_table.h"
+#include "guided/attribute_smoothing.h"
 #include "vertex_normals.h"
 #include "volume.h"
 
@@ -51,7 +52,12 @@ void count_undefined_normals(const MeshArrays& mesh, const std::vector<Vec3>& no
 
 }  // namespace
 
-SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const SmoothingParameters& parameters, Job& job) {
+bool smooths_attributes(Method method, const SmoothingParameters& parameters) {
+  return parameters.smooth_color && filter_entry(method).info.uses("smooth_color");
+}
+
+SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const SmoothingParameters& parameters,
+                              VertexAttributes& attributes, Job& job) {
   const FilterEntry& filter = filter_entry(method);
   SmoothingResult result;
   describe_mesh(mesh, filter.info, parameters, result.report);
@@ -69,6 +75,9 @@ SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const Smoot
     if (pass == 0) result.report.skipped_vertices.empty_neighbourhood = output.empty_neighbourhoods;
     result.position = std::move(output.position);
   }
+
+  if (attributes.channels() > 0)
+    smooth_attributes(mesh, result.position, movable, guided_settings(parameters), attributes, job);
 
   const Vec3 apex = box_center(mesh.position);
   result.report.volume_before = std::ldexp(signed_volume(mesh, mesh.position, apex), -3 * mesh.exponent);

@@ -12,8 +12,9 @@
 
 namespace vcg_core {
 
-/// Smooths `mesh` in place: moves vertices, changes nothing else (normals, bounding box and attributes are the
-/// caller's). docs/algorithm.md holds the equations and where the code differs from the paper.
+/// Smooths `mesh` in place: moves vertices, changes nothing else but colour and quality on request (normals, bounding
+/// box and attributes are the caller's). docs/algorithm.md holds the equations and where the code differs from the
+/// paper.
 ///
 /// @param mesh  any vcglib triangle mesh, float or double, with or without optional components; deleted elements are
 ///              passed over, no adjacency is needed, the selection is read and never changed
@@ -25,9 +26,12 @@ SmoothingReport smooth(Mesh& mesh, Method method, const SmoothingParameters& par
   parameters.validate(method_info(method).fewest_iterations);
   detail::Job job(progress, parameters.threads);
   const detail::MeshArrays arrays = detail::read_mesh(mesh, job);
-  detail::SmoothingResult result = detail::smooth_arrays(arrays, method, parameters, job);
+  detail::VertexAttributes attributes;
+  if (detail::smooths_attributes(method, parameters)) attributes = detail::read_attributes(mesh, arrays);
+  detail::SmoothingResult result = detail::smooth_arrays(arrays, method, parameters, attributes, job);
   job.finish();  // the last moment to cancel: from here on nothing can fail
   detail::commit_positions(arrays, result.position, mesh, result.report);
+  detail::commit_attributes(arrays, attributes, mesh);
   return result.report;
 }
 

@@ -39,7 +39,7 @@ LanePass::LanePass() : LanePass(*supported_lane_kernels().front()) {}
 LanePass::LanePass(const LaneKernel& kernel) : kernel_(kernel) {}
 
 std::vector<Vec3> LanePass::run(const PassInput& in) {
-  if (!kept_) kept_ = Kept{make_rings(in.mesh, in.job), group_sources(in.mesh, kernel_.lanes)};
+  if (!kept_) kept_ = Kept{make_rings(in.mesh, in.job), group_sources(in.mesh, kernel_.lanes, in.job)};
   const SourceGroups& groups = kept_->groups;
   const LaneMesh lanes{in.mesh, kept_->ring, in.position, in.normal};
   const LaneParameters constants = lane_parameters(in.parameters);

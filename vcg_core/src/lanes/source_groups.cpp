@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <vcg_core/detail/job.h>
+
 namespace vcg_core::detail {
 
 namespace {
@@ -34,6 +36,8 @@ class Grouper {
   enum class State : std::uint8_t { taken, left, on_rim };
 
   std::size_t group_size() const { return groups_.member.size() - groups_.begin.back(); }
+  State& state(Index v) { return state_[v - block_begin_]; }
+  bool in_block(Index v) const { return v >= block_begin_ && v < block_end_; }
   bool full() const { return group_size() == lanes_; }
 
   void grow_from(Index first) {
@@ -49,7 +53,7 @@ class Grouper {
       rim_.pop_back();
       take(v);
     }
-    for (const Index v : rim_) state_[v] = State::left;
+    for (const Index v : rim_) state(v) = State::left;
   }
 
   /// A group that is walled in by others takes in what is left near by, in the mesh's order.
@@ -57,25 +61,27 @@ class Grouper {
     constexpr double hops_apart = 4;
     constexpr Index look_ahead = 256;
     const double far = hops_apart * mesh_.topology.average_edge_length;
-    for (Index v = seed + 1; v < mesh_.size() && v - seed < look_ahead && !full(); ++v)
-      if (state_[v] == State::left && (mesh_.position[v] - mesh_.position[seed]).norm() < far) grow_from(v);
+    for (Index v = seed + 1; v < block_end_ && v - seed < look_ahead && !full(); ++v)
+      if (state(v) == State::left && (mesh_.position[v] - mesh_.position[seed]).norm() < far) grow_from(v);
   }
 
   void take(Index v) {
-    state_[v] = State::taken;
+    state(v) = State::taken;
     groups_.member.push_back(v);
     sum_ += mesh_.position[v];
     const MeshTopology& topology = mesh_.topology;
     for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
       const Index other = vertex_of(mesh_, next_in_face(topology.star[s]));
-      if (state_[other] != State::left) continue;
-      state_[other] = State::on_rim;
+      if (!in_block(other) || state(other) != State::left) continue;
+      state(other) = State::on_rim;
       rim_.push_back(other);
     }
   }
 
   const MeshArrays& mesh_;
   std::uint32_t lanes_;
+  Index block_begin_;
+  Index block_end_;
   std::vector<State> state_;
   SourceGroups groups_;
   Vec3 sum_ = Vec3::Zero();
@@ -84,6 +90,22 @@ class Grouper {
 
 }  // namespace
 
-SourceGroups group_sources(const MeshArrays& mesh, std::uint32_t lanes) { return Grouper(mesh, lanes).run(); }
+SourceGroups group_sources(const MeshArrays& mesh, std::uint32_t lanes, Job& job) {
+  constexpr std::size_t block = 16384;  // fixed, so that the groups do not depend on the number of threads
+  std::vector<SourceGroups> of_block((mesh.size() + block - 1) / block);
+  job.parallel(mesh.size(), block, Loop::minor, [&](Chunks& chunks) {
+    while (chunks.next())
+      of_block[chunks.index()] =
+          Grouper(mesh, lanes, static_cast<Index>(chunks.begin()), static_cast<Index>(chunks.end())).run();
+  });
+  SourceGroups all;
+  all.begin.push_back(0);
+  for (const SourceGroups& groups : of_block) {
+    const auto before = static_cast<Index>(all.member.size());
+    all.member.insert(all.member.end(), groups.member.begin(), groups.member.end());
+    for (std::size_t g = 1; g < groups.begin.size(); ++g) all.begin.push_back(before + groups.begin[g]);
+  }
+  return all;
+}
 
 }  // namespace vcg_core::detail

@@ -16,6 +16,6 @@ struct SourceGroups {
 };
 
 /// Groups the vertices that have faces, growing each group along the mesh from the lowest vertex left.
-SourceGroups group_sources(const MeshArrays& mesh, std::uint32_t lanes);
+SourceGroups group_sources(const MeshArrays& mesh, std::uint32_t lanes, Job& job);
 
 }  // namespace vcg_core::detail

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <vcg_core/detail/mesh_arrays.h>
+#include <vcg_core/detail/vertex_attributes.h>
 #include <vcg_core/method.h>
 #include <vcg_core/smoothing_parameters.h>
 #include <vcg_core/smoothing_report.h>
@@ -16,7 +17,12 @@ struct SmoothingResult {
   SmoothingReport report;      ///< complete but for what the commit counts
 };
 
+/// Whether the filter is to smooth vertex attributes as well.
+bool smooths_attributes(Method method, const SmoothingParameters& parameters);
+
 /// Runs a smoothing filter on the arrays; the mesh they came from is not touched.
-SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const SmoothingParameters& parameters, Job& job);
+/// @param attributes  smoothed on the way if there are any
+SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const SmoothingParameters& parameters,
+                              VertexAttributes& attributes, Job& job);
 
 }  // namespace vcg_core::detail

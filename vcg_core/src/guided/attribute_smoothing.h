@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <vcg_core/detail/mesh_arrays.h>
+#include <vcg_core/detail/vertex_attributes.h>
+
+#include "guided_settings.h"
+
+namespace vcg_core::detail {
+
+/// Smooths colour and quality on the smoothed surface: ten times the mean over the one ring, neighbours weighted by
+/// exp(-|n_i - n_j|^2 / (2 fine_range^2)) of the vertex normals, the weight of the fine rounds. Across an edge the
+/// normals differ, so that nothing bleeds over; along it, and within a face of the shape, they do not. Vertices that
+/// may not move keep theirs and serve as neighbours. Numbers that are not finite stay and are passed over.
+/// @param position  the smoothed one
+void smooth_attributes(const MeshArrays& mesh, const std::vector<Vec3>& position,
+                       const std::vector<std::uint8_t>& movable, const GuidedSettings& settings,
+                       VertexAttributes& attributes, Job& job);
+
+}  // namespace vcg_core::detail
