@@ -92,7 +92,7 @@ double largest_distance_error(const FlatMesh& shape, const LaneKernel& kernel, d
   Prepared mesh(shape);
   const MeshArrays& arrays = mesh.arrays();
   const auto ring = make_rings(arrays, mesh.job());
-  const SourceGroups groups = group_sources(arrays, kernel.lanes);
+  const SourceGroups groups = group_sources(arrays, kernel.lanes, mesh.job());
   const LaneMesh lanes{arrays, ring, arrays.position, mesh.normal()};
   PatchBuilder builder(lanes, kernel.lanes);
   const auto frames = triangle_frames(arrays, arrays.position, mesh.unit(), mesh.job());

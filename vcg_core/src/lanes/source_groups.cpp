@@ -9,21 +9,22 @@ namespace vcg_core::detail {
 
 namespace {
 
-/// Grows groups over the mesh, each time by the vertex on the rim that lies nearest to the group's middle: compact
-/// groups have neighbourhoods that overlap most.
+/// Grows groups over a block of the mesh's vertices, each time by the vertex on the rim that lies nearest to the
+/// group's middle: compact groups have neighbourhoods that overlap most.
 class Grouper {
  public:
-  Grouper(const MeshArrays& mesh, std::uint32_t lanes) : mesh_(mesh), lanes_(lanes), state_(mesh.size()) {
-    for (std::size_t v = 0; v < mesh.size(); ++v) {
+  Grouper(const MeshArrays& mesh, std::uint32_t lanes, Index block_begin, Index block_end)
+      : mesh_(mesh), lanes_(lanes), block_begin_(block_begin), block_end_(block_end), state_(block_end - block_begin) {
+    for (Index v = block_begin; v < block_end; ++v) {
       const bool has_faces = mesh.topology.star_begin[v] != mesh.topology.star_begin[v + 1];
-      state_[v] = has_faces ? State::left : State::taken;
+      state(v) = has_faces ? State::left : State::taken;
     }
   }
 
   SourceGroups run() {
     groups_.begin.push_back(0);
-    for (Index seed = 0; seed < mesh_.size(); ++seed) {
-      if (state_[seed] != State::left) continue;
+    for (Index seed = block_begin_; seed < block_end_; ++seed) {
+      if (state(seed) != State::left) continue;
       sum_ = Vec3::Zero();
       grow_from(seed);
       fill_up(seed);
