@@ -1,0 +1,92 @@
+#include "bench_mesh.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <random>
+#include <utility>
+
+#include <mesh_tools/noise.h>
+#include <mesh_tools/shapes.h>
+#include <vcg_core/detail/read_mesh.h>
+
+#include "lanes/lane_kernels.h"
+#include "lanes/patch_builder.h"
+#include "lanes/source_groups.h"
+#include "vertex_normals.h"
+
+namespace bench {
+
+using namespace vcg_core::detail;
+
+namespace {
+
+const vcg_core::Progress silent;
+
+mesh_tools::Mesh make_noisy_part(std::size_t vertices, Order order) {
+  mesh_tools::Mesh mesh = mesh_tools::make_shape("cad_part", vertices);
+  mesh_tools::add_noise(mesh, 0.2, 1, mesh_tools::NoiseDirection::normal);
+  if (order == Order::as_made) return mesh;
+  std::vector<std::size_t> to(mesh.vert.size());
+  std::iota(to.begin(), to.end(), std::size_t(0));
+  std::shuffle(to.begin(), to.end(), std::mt19937(1));
+  mesh_tools::Mesh shuffled;
+  vcg::tri::Allocator<mesh_tools::Mesh>::AddVertices(shuffled, mesh.vert.size());
+  for (std::size_t v = 0; v < mesh.vert.size(); ++v) shuffled.vert[to[v]].P() = mesh.vert[v].P();
+  std::vector<std::size_t> faces(mesh.face.size());
+  std::iota(faces.begin(), faces.end(), std::size_t(0));
+  std::shuffle(faces.begin(), faces.end(), std::mt19937(2));
+  vcg::tri::Allocator<mesh_tools::Mesh>::AddFaces(shuffled, mesh.face.size());
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (int k = 0; k < 3; ++k)
+      shuffled.face[f].V(k) = &shuffled.vert[to[vcg::tri::Index(mesh, mesh.face[faces[f]].V(k))]];
+  return shuffled;
+}
+
+}  // namespace
+
+const mesh_tools::Mesh& noisy_part(std::size_t vertices, Order order) {
+  static std::map<std::pair<std::size_t, Order>, mesh_tools::Mesh> kept;
+  const auto key = std::make_pair(vertices, order);
+  if (kept.count(key) == 0) kept.emplace(key, make_noisy_part(vertices, order));
+  return kept.at(key);
+}
+
+Job single_thread() { return Job(silent, 1); }
+
+const Arrays& noisy_part_arrays(std::size_t vertices) {
+  static std::map<std::size_t, Arrays> kept;
+  const auto found = kept.find(vertices);
+  if (found != kept.end()) return found->second;
+  Job job = single_thread();
+  Arrays arrays{read_mesh(noisy_part(vertices), job), {}, {}};
+  arrays.normal = vertex_normals(arrays.mesh, arrays.mesh.position, job);
+  arrays.movable.assign(arrays.mesh.size(), 1);
+  return kept.emplace(vertices, std::move(arrays)).first->second;
+}
+
+std::size_t count_pairs(const Arrays& arrays, double rho) {
+  Job job = single_thread();
+  const LaneKernel& kernel = *supported_lane_kernels().front();
+  const std::vector<RingFace> ring = make_rings(arrays.mesh, job);
+  const SourceGroups groups = group_sources(arrays.mesh, kernel.lanes, job);
+  const LaneMesh lanes{arrays.mesh, ring, arrays.mesh.position, arrays.normal};
+  PatchBuilder builder(lanes, kernel.lanes);
+  LaneParameters parameters{};
+  parameters.cutoff = static_cast<float>(rho);
+  parameters.limit = static_cast<float>(rho + 0.5);
+  parameters.tolerance = 4e-6f;
+  std::size_t pairs = 0;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const Patch& patch =
+        builder.build(&groups.member[groups.begin[g]], groups.begin[g + 1] - groups.begin[g], rho + 0.5);
+    kernel.march(
+        patch, parameters, [](void*) {}, nullptr);
+    for (std::uint32_t row = 0; row < patch.rows; ++row)
+      for (std::uint32_t lane = 0; lane < patch.sources; ++lane)
+        pairs += patch.distance[row * kernel.lanes + lane] < parameters.cutoff;
+  }
+  return pairs;
+}
+
+}  // namespace bench

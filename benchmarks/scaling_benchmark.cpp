@@ -1,0 +1,87 @@
+// The whole call, from a vcglib mesh and back, and its steps.
+
+#include <benchmark/benchmark.h>
+
+#include <vcg_core/detail/read_mesh.h>
+#include <vcg_core/smoothing.h>
+
+#include "bench_mesh.h"
+#include "vertex_normals.h"
+
+namespace {
+
+using namespace vcg_core;
+
+void per_vertex(benchmark::State& state, std::size_t vertices) {
+  state.counters["vertices"] = static_cast<double>(vertices);
+  state.counters["vertices_per_second"] =
+      benchmark::Counter(static_cast<double>(vertices), benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void smooth_whole(benchmark::State& state, const mesh_tools::Mesh& mesh, const SmoothingParameters& parameters) {
+  mesh_tools::Mesh result;
+  // vcglib's copy takes what it only reads by a reference that is not const.
+  vcg::tri::Append<mesh_tools::Mesh, mesh_tools::Mesh>::MeshCopy(result, const_cast<mesh_tools::Mesh&>(mesh));
+  for (auto _ : state) {
+    state.PauseTiming();
+    for (std::size_t v = 0; v < mesh.vert.size(); ++v) result.vert[v].P() = mesh.vert[v].cP();
+    state.ResumeTiming();
+    smooth(result, Method::paper, parameters);
+  }
+  per_vertex(state, mesh.vert.size());
+}
+
+SmoothingParameters with_threads(int threads) {
+  SmoothingParameters parameters;
+  parameters.threads = threads;
+  return parameters;
+}
+
+/// Argument: vertices.
+void size(benchmark::State& state) { smooth_whole(state, bench::noisy_part(state.range(0)), with_threads(1)); }
+BENCHMARK(size)->Arg(10000)->Arg(100000)->Arg(1000000)->Arg(4000000)->Unit(benchmark::kMillisecond);
+
+void shuffled(benchmark::State& state) {
+  smooth_whole(state, bench::noisy_part(state.range(0), bench::Order::shuffled), with_threads(1));
+}
+BENCHMARK(shuffled)->Arg(1000000)->Unit(benchmark::kMillisecond);
+
+/// Argument: threads. In wall time.
+void threads(benchmark::State& state) {
+  smooth_whole(state, bench::noisy_part(1000000), with_threads(static_cast<int>(state.range(0))));
+}
+BENCHMARK(threads)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void iterations(benchmark::State& state) {
+  SmoothingParameters parameters = with_threads(1);
+  parameters.iterations = static_cast<int>(state.range(0));
+  smooth_whole(state, bench::noisy_part(100000), parameters);
+}
+BENCHMARK(iterations)->Arg(1)->Arg(2)->Arg(3)->Unit(benchmark::kMillisecond);
+
+/// Argument: sigma_c.
+void sigma_c(benchmark::State& state) {
+  SmoothingParameters parameters = with_threads(1);
+  parameters.sigma_c = static_cast<double>(state.range(0));
+  smooth_whole(state, bench::noisy_part(35000), parameters);
+}
+BENCHMARK(sigma_c)->DenseRange(1, 6)->Unit(benchmark::kMillisecond);
+
+/// Copying, checking, reordering and the topology: everything before the normals.
+void step_read(benchmark::State& state) {
+  const mesh_tools::Mesh& mesh = bench::noisy_part(state.range(0));
+  detail::Job job = bench::single_thread();
+  for (auto _ : state) benchmark::DoNotOptimize(detail::read_mesh(mesh, job));
+  per_vertex(state, mesh.vert.size());
+}
+BENCHMARK(step_read)->Arg(1000000)->Unit(benchmark::kMillisecond);
+
+void step_normals(benchmark::State& state) {
+  const bench::Arrays& arrays = bench::noisy_part_arrays(state.range(0));
+  detail::Job job = bench::single_thread();
+  for (auto _ : state) benchmark::DoNotOptimize(detail::vertex_normals(arrays.mesh, arrays.mesh.position, job));
+  per_vertex(state, arrays.mesh.size());
+}
+BENCHMARK(step_normals)->Arg(1000000)->Unit(benchmark::kMillisecond);
+
+}  // namespace
