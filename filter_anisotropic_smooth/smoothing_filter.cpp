@@ -10,8 +10,12 @@ using vcg_core::SmoothingReport;
 
 void log_report(const SmoothingReport& report, const Session& session) {
   std::ostringstream lengths;
-  lengths << "average edge length " << report.average_edge_length << ", sigma_c " << report.sigma_c_length
-          << ", sigma_s " << report.sigma_s_length << ", cut-off " << report.rho_length << " (in the mesh's unit)";
+  lengths << "average edge length " << report.average_edge_length;
+  if (report.sigma_c_length > 0) {
+    lengths << ", sigma_c " << report.sigma_c_length << ", sigma_s " << report.sigma_s_length << ", cut-off "
+            << report.rho_length;
+  }
+  lengths << " (in the mesh's unit)";
   session.log(lengths.str());
 
   std::ostringstream vertices;

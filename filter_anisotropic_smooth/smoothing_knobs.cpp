@@ -36,6 +36,23 @@ void add_boundary(const Knob& knob, const MeshModel* /*mesh*/, RichParameterList
       RichEnum(knob.name, static_cast<int>(SmoothingParameters{}.boundary), choices, knob.label, knob.tooltip));
 }
 
+void add_rounds(const Knob& knob, const MeshModel* /*mesh*/, RichParameterList& list) {
+  list.addParam(RichInt(knob.name, 0, knob.label, knob.tooltip));
+}
+
+void add_boundary_of_guided(const Knob& knob, const MeshModel* /*mesh*/, RichParameterList& list) {
+  const QStringList choices{QStringLiteral("fixed"), QStringLiteral("free")};
+  list.addParam(RichEnum(knob.name, static_cast<int>(vcg_core::Boundary::free), choices, knob.label, knob.tooltip));
+}
+
+void add_smooth_color(const Knob& knob, const MeshModel* /*mesh*/, RichParameterList& list) {
+  list.addParam(RichBool(knob.name, false, knob.label, knob.tooltip));
+}
+
+void read_smooth_color(const Knob& knob, const RichParameterList& values, SmoothingParameters& parameters) {
+  parameters.smooth_color = values.getBool(knob.name);
+}
+
 void read_boundary(const Knob& knob, const RichParameterList& values, SmoothingParameters& parameters) {
   const int choice = values.getEnum(knob.name);
   if (choice != 0 && choice != 1) {
@@ -106,6 +123,34 @@ const Knob selected{"selected", "Move selected vertices only",
                     "On: only selected vertices and the vertices of selected faces move; all others stay and still"
                     " serve as neighbours. The selection itself is never changed.",
                     add_selected, read_selected};
+
+const Knob strength{
+    "strength", "Strength",
+    "1: as strong as the mesh's own noise asks for. Higher: more is taken for noise, so that smooth"
+    " surfaces get smoother and shallow features go; lower: more of the surface stays as it is. Above 0,"
+    " at most 10; 0.5 is gentle, 2 strong. No unit.",
+    add_number<&SmoothingParameters::strength>, read_number<&SmoothingParameters::strength>};
+
+const Knob feature_angle{"feature_angle", "Feature angle, in degrees",
+                         "Edges at which faces meet at this angle or more stay sharp. Higher: shallower edges are"
+                         " smoothed away; lower: they stay, and more noise with them. Above 0, at most 90.",
+                         add_number<&SmoothingParameters::feature_angle>,
+                         read_number<&SmoothingParameters::feature_angle>};
+
+const Knob rounds{"iterations", "Coarse rounds (0: automatic)",
+                  "How often the normals are filtered by their guides. 0: 2 to 12, by the noise. Higher: stronger noise"
+                  " goes, and time grows with it. 0 or more.",
+                  add_rounds, read_iterations};
+
+const Knob boundary_of_guided{"boundary", "Border vertices",
+                              "free: vertices of border edges (edges with one face) lose their noise like all others;"
+                              " borders are not drawn inwards. fixed: they stay where they are.",
+                              add_boundary_of_guided, read_boundary};
+
+const Knob smooth_color{"smooth_color", "Smooth colour and quality too",
+                        "On: the vertices' colour and quality are smoothed as well, without bleeding over edges. Off:"
+                        " they stay byte for byte as they are.",
+                        add_smooth_color, read_smooth_color};
 
 }  // namespace knobs
 

@@ -26,6 +26,12 @@ extern const Knob rho;
 extern const Knob iterations;
 extern const Knob boundary;
 extern const Knob selected;
+// Of the guided filter.
+extern const Knob strength;
+extern const Knob feature_angle;
+extern const Knob rounds;              ///< "iterations", 0 for automatic
+extern const Knob boundary_of_guided;  ///< "boundary", free by default
+extern const Knob smooth_color;
 }  // namespace knobs
 
 /// Knobs in the order of the dialog.

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "smoothing_filter.h"
+
+namespace meshlab_plugin {
+
+/// This project's own filter, beyond the paper: it sets itself by the mesh. See docs/guided.md.
+class GuidedSmoothing : public SmoothingFilter {
+ public:
+  GuidedSmoothing();
+  QString name() const override;
+  QString python_name() const override;
+  QString help() const override;
+  /// Colour and quality too: `smooth_color` can change them, and a preview restores only what is declared.
+  int changes() const override;
+};
+
+}  // namespace meshlab_plugin

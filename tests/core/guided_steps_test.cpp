@@ -1,0 +1,274 @@
+// The steps of the guided filter, each against a naive reference: the equations of docs/guided.md as they stand there.
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include <support/noisy_shapes.h>
+#include <vcg_core/detail/job.h>
+#include <vcg_core/detail/mesh_arrays.h>
+
+#include "guided/attribute_smoothing.h"
+#include "guided/detail_recovery.h"
+#include "guided/face_neighborhoods.h"
+#include "guided/guide_normals.h"
+#include "guided/noise_estimate.h"
+#include "guided/normal_filter.h"
+#include "guided/range_weight.h"
+#include "guided/vertex_update.h"
+#include "vertex_normals.h"
+
+namespace {
+
+using namespace vcg_core::detail;
+using test_support::FlatMesh;
+
+const vcg_core::Progress no_progress;
+
+MeshArrays arrays_of(const FlatMesh& flat, Job& job) {
+  RawMesh raw;
+  for (const auto& p : flat.points) raw.position.emplace_back(p[0], p[1], p[2]);
+  for (const auto& f : flat.faces)
+    raw.face.push_back({static_cast<Index>(f[0]), static_cast<Index>(f[1]), static_cast<Index>(f[2])});
+  for (Index v = 0; v < raw.position.size(); ++v) raw.host_vertex.push_back(v);
+  raw.selected.assign(raw.position.size(), 0);
+  raw.host_vertex_count = raw.position.size();
+  return make_mesh_arrays(std::move(raw), job);
+}
+
+class GuidedSteps : public testing::Test {
+ protected:
+  GuidedSteps() {
+    faces.measure(mesh, mesh.position, job);
+    across = faces_across(mesh, job);
+    around = faces_around(mesh, across, job);
+    spacing = local_spacing(mesh, true, job);
+    within = faces_within(around, faces.centroid, spacing, 1.9, job);
+    movable.assign(mesh.size(), 1);
+  }
+
+  std::set<Index> naive_around(Index f) const {
+    std::set<Index> result;
+    for (Index g = 0; g < mesh.face.size(); ++g)
+      for (const Index v : mesh.face[f])
+        for (const Index w : mesh.face[g])
+          if (v == w) result.insert(g);
+    return result;
+  }
+
+  Job job{no_progress, 2};
+  MeshArrays mesh = arrays_of(test_support::noisy_shape("cube", 400), job);
+  FaceGeometry faces;
+  std::vector<Index> across;
+  FaceLists around;
+  std::vector<double> spacing;
+  FaceLists within;
+  std::vector<std::uint8_t> movable;
+};
+
+TEST(GuidedWeight, IsNearlyGaussian) {
+  for (double x = 0; x < 50; x += 0.01) EXPECT_NEAR(nearly_exp_of_minus(x), std::exp(-x), 0.009) << x;
+  EXPECT_EQ(nearly_exp_of_minus(0), 1);
+  EXPECT_EQ(nearly_exp_of_minus(1e300), 0);
+}
+
+TEST_F(GuidedSteps, FacesAroundShareAVertex) {
+  for (Index f = 0; f < mesh.face.size(); ++f) {
+    const std::set<Index> found(around.first(f), around.last(f));
+    EXPECT_EQ(found, naive_around(f));
+    EXPECT_EQ(found.size(), static_cast<std::size_t>(around.last(f) - around.first(f)));
+    EXPECT_EQ(*around.first(f), f);
+  }
+}
+
+TEST_F(GuidedSteps, FacesAcrossShareTheEdge) {
+  for (Index corner = 0; corner < across.size(); ++corner) {
+    ASSERT_NE(across[corner], no_face);  // a closed mesh
+    const auto& g = mesh.face[across[corner]];
+    for (const Index end : {next_in_face(corner), previous_in_face(corner)})
+      EXPECT_EQ(std::count(g.begin(), g.end(), vertex_of(mesh, end)), 1);
+    EXPECT_NE(across[corner], corner / 3);
+  }
+}
+
+// Growing by faces around, from the face itself, as long as centroids stay inside the radius.
+TEST_F(GuidedSteps, FacesWithinAreTheConnectedBall) {
+  for (Index f = 0; f < mesh.face.size(); ++f) {
+    const double radius = 1.9 * spacing[f];
+    std::set<Index> ball{f};
+    for (std::size_t before = 0; before != ball.size();) {
+      before = ball.size();
+      std::set<Index> grown = ball;
+      for (const Index g : ball)
+        for (const Index h : naive_around(g))
+          if ((faces.centroid[h] - faces.centroid[f]).norm() < radius) grown.insert(h);
+      ball = grown;
+    }
+    if (ball.size() < 4)
+      for (const Index h : naive_around(f)) ball.insert(h);
+    EXPECT_EQ(std::set<Index>(within.first(f), within.last(f)), ball) << f;
+  }
+}
+
+TEST_F(GuidedSteps, FilteredNormalsAreTheWeightedMean) {
+  const std::vector<double> weight = closeness_weights(within, faces, spacing, 1, job);
+  const std::vector<Vec3> guide = guide_normals(around, across, faces, faces.normal, GuidedSettings{}, job);
+  const std::vector<Vec3> filtered = filter_normals(within, weight, guide, faces.normal, 0.4, job);
+  for (Index f = 0; f < mesh.face.size(); ++f) {
+    Vec3 sum = Vec3::Zero();
+    for (const Index* j = within.first(f); j != within.last(f); ++j) {
+      const double distance = (faces.centroid[f] - faces.centroid[*j]).norm() / spacing[f];
+      const double difference = (guide[f] - guide[*j]).norm() / 0.4;
+      sum += faces.area[*j] * nearly_exp_of_minus(distance * distance / 2) *
+             nearly_exp_of_minus(difference * difference / 2) * faces.normal[*j];
+    }
+    EXPECT_LT((filtered[f] - sum.normalized()).norm(), 1e-12);
+  }
+}
+
+TEST_F(GuidedSteps, GuidesAreMeansOfTheMostConsistentPatch) {
+  GuidedSettings settings;
+  settings.guard_thin_parts = false;
+  const std::vector<Vec3> guide = guide_normals(around, across, faces, faces.normal, settings, job);
+  const auto patch = [&](Index center) {
+    Vec3 sum = Vec3::Zero();
+    for (const Index g : naive_around(center)) sum += faces.area[g] * faces.normal[g];
+    const Vec3 mean = sum.normalized();
+    double widest = 0, jumps = 1e-9, largest = 0;
+    for (const Index g : naive_around(center)) {
+      widest = std::max(widest, (faces.normal[g] - mean).norm());
+      for (Index k = 0; k < 3; ++k) {
+        const Index h = across[3 * g + k];
+        if (h < g || naive_around(center).count(h) == 0) continue;
+        jumps += (faces.normal[g] - faces.normal[h]).norm();
+        largest = std::max(largest, (faces.normal[g] - faces.normal[h]).norm());
+      }
+    }
+    return std::make_pair(widest * largest / jumps, mean);
+  };
+  for (Index f = 0; f < mesh.face.size(); f += 7) {
+    double best = 1e300;
+    Vec3 expected = Vec3::Zero();
+    for (const Index g : naive_around(f)) {
+      const auto [inconsistency, mean] = patch(g);
+      if (inconsistency >= best) continue;
+      best = inconsistency;
+      expected = mean;
+    }
+    EXPECT_LT((guide[f] - expected).norm(), 1e-12) << f;
+  }
+}
+
+TEST_F(GuidedSteps, UpdateMovesToThePlanesOfTheFaces) {
+  GuidedSettings settings;
+  settings.unfold = false;
+  std::vector<Vec3> position = mesh.position;
+  movable[5] = 0;
+  const std::vector<Vec3> normal(mesh.face.size(), Vec3(1, 2, 3).normalized());
+  update_positions(mesh, normal, movable, 1, settings, position, job);
+  for (Index v = 0; v < mesh.size(); ++v) {
+    Vec3 sum = Vec3::Zero();
+    double count = 0;
+    for (const auto& f : mesh.face) {
+      if (f[0] != v && f[1] != v && f[2] != v) continue;
+      const Vec3 centroid = (mesh.position[f[0]] + mesh.position[f[1]] + mesh.position[f[2]]) / 3;
+      sum += normal[0] * normal[0].dot(centroid - mesh.position[v]);
+      ++count;
+    }
+    const Vec3 expected = v == 5 ? mesh.position[v] : Vec3(mesh.position[v] + sum / count);
+    EXPECT_LT((position[v] - expected).norm(), 1e-12);
+  }
+}
+
+// A vertex pulled over to the far side of its ring leaves folded faces in a plane; the update opens them.
+TEST(GuidedUnfolding, OpensFoldsWithinThePlane) {
+  Job job{no_progress, 1};
+  const FlatMesh flat = test_support::noisy_shape("plane_slash", 121, 0);
+  MeshArrays mesh = arrays_of(flat, job);
+  std::vector<Vec3> position = mesh.position;
+  Index moved = 0;
+  for (Index v = 0; v < mesh.size(); ++v)
+    if ((position[v] - Vec3(0.5, 0.5, 0)).norm() < (position[moved] - Vec3(0.5, 0.5, 0)).norm()) moved = v;
+  position[moved] += Vec3(0.17, 0.03, 0);
+  std::vector<Vec3> normal(mesh.face.size(), Vec3(0, 0, 1));
+  std::vector<std::uint8_t> movable(mesh.size());
+  for (Index v = 0; v < mesh.size(); ++v) movable[v] = !mesh.topology.border[v];
+  const auto folds = [&] {
+    FaceGeometry faces;
+    faces.measure(mesh, position, job);
+    return std::count_if(faces.normal.begin(), faces.normal.end(), [](const Vec3& n) { return n[2] < 0; });
+  };
+  ASSERT_GT(folds(), 0);
+  update_positions(mesh, normal, movable, 30, GuidedSettings{}, position, job);
+  EXPECT_EQ(folds(), 0);
+  for (const Vec3& p : position) EXPECT_EQ(p[2], 0);
+}
+
+TEST(GuidedNoise, IsEstimated) {
+  Job job{no_progress, 1};
+  for (const double level : {0.1, 0.2, 0.3}) {
+    const MeshArrays mesh = arrays_of(test_support::noisy_shape("sphere", 3000, level), job);
+    FaceGeometry faces;
+    faces.measure(mesh, mesh.position, job);
+    const double e = mesh.topology.average_edge_length;
+    EXPECT_NEAR(estimate_noise(mesh, mesh.position, faces, job) / e, level, 0.25 * level) << level;
+  }
+}
+
+TEST(GuidedDetail, WhiteNoiseStaysOutAndShapeComesBack) {
+  Job job{no_progress, 1};
+  const MeshArrays noisy = arrays_of(test_support::noisy_shape("plane_delaunay", 2000, 0.2), job);
+  std::vector<Vec3> flat = noisy.position;
+  for (Vec3& p : flat) p[2] = 0;
+  const std::vector<std::uint8_t> movable(noisy.size(), 1);
+  const double e = noisy.topology.average_edge_length;
+  const auto rms = [&](const std::vector<Vec3>& position, const auto& height) {
+    double sum = 0;
+    for (const Vec3& p : position) sum += std::pow(p[2] - height(p), 2);
+    return std::sqrt(sum / static_cast<double>(position.size())) / e;
+  };
+  std::vector<Vec3> position = flat;
+  recover_detail(noisy, noisy.position, movable, GuidedSettings{}, position, job);
+  EXPECT_LT(rms(position, [](const Vec3&) { return 0.0; }), 0.03);
+
+  const auto wave = [&](const Vec3& p) { return 0.5 * e * std::sin(30 * p[0]) * std::sin(30 * p[1]); };
+  std::vector<Vec3> with_wave = noisy.position;
+  for (Vec3& p : with_wave) p[2] += wave(p);
+  position = flat;
+  const double lost = rms(position, wave);
+  recover_detail(noisy, with_wave, movable, GuidedSettings{}, position, job);
+  EXPECT_LT(rms(position, wave), 0.6 * lost);
+}
+
+TEST(GuidedColor, DoesNotBleedOverAnEdge) {
+  Job job{no_progress, 1};
+  const MeshArrays mesh = arrays_of(test_support::noisy_shape("cube", 2000, 0), job);
+  VertexAttributes attributes;
+  attributes.has_quality = true;
+  double top = -1e300;
+  for (const Vec3& p : mesh.position) top = std::max(top, p[2]);
+  const double e = mesh.topology.average_edge_length;
+  std::vector<double> truth;
+  for (Index v = 0; v < mesh.size(); ++v) {
+    truth.push_back(mesh.position[v][2] > top - 0.1 * e ? 100 : 0);
+    attributes.value.push_back(truth.back() + (v % 2 == 0 ? 10 : -10));  // noise
+  }
+  const std::vector<std::uint8_t> movable(mesh.size(), 1);
+  smooth_attributes(mesh, mesh.position, movable, GuidedSettings{}, attributes, job);
+  const std::vector<Vec3> normal = vertex_normals(mesh, mesh.position, job);
+  double inside_top = 0, sides = 0;
+  int top_count = 0, side_count = 0;
+  for (Index v = 0; v < mesh.size(); ++v) {
+    if (normal[v][2] > 0.999) inside_top += std::abs(attributes.value[v] - truth[v]), ++top_count;
+    if (std::abs(normal[v][2]) < 0.001) sides += std::abs(attributes.value[v] - truth[v]), ++side_count;
+  }
+  ASSERT_GT(top_count, 100);
+  ASSERT_GT(side_count, 400);
+  EXPECT_LT(inside_top / top_count, 5);  // the noise of 10 went, the 0 of the sides did not come
+  EXPECT_LT(sides / side_count, 5);
+}
+
+}  // namespace
