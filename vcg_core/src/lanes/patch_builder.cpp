@@ -38,34 +38,52 @@ void PatchBuilder::forget_last() {
   found_outside_.clear();
 }
 
-/// The vertices that are connected to the sources inside a ball around all of theirs.
+/// The vertices that are connected to the sources inside the balls around them.
 void PatchBuilder::collect_rows(const Index* sources, std::uint32_t count, double reach) {
-  middle_ = Vec3::Zero();
-  for (std::uint32_t lane = 0; lane < count; ++lane) middle_ += lanes_.position[sources[lane]] / count;
-  for (std::uint32_t lane = 0; lane < count; ++lane) consider(sources[lane], std::numeric_limits<float>::infinity());
-  float squared_group_radius = 0;
-  for (const Row& row : found_) squared_group_radius = std::max(squared_group_radius, row.squared_radius);
-  const double limit = reach + std::sqrt(squared_group_radius);
-  const auto squared_limit = static_cast<float>(std::min(limit * limit, 1e30));
+  squared_reach_ = static_cast<float>(std::min(reach * reach, 1e30));
+  place_sources(sources, count);
   const MeshTopology& topology = lanes_.mesh.topology;
   for (std::size_t i = 0; i < found_.size(); ++i) {
     const Index v = found_[i].vertex;
     for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
       const RingFace& face = lanes_.ring[s];
-      if (row_of_[face.next] == unknown) consider(face.next, squared_limit);
-      if (row_of_[face.previous] == unknown) consider(face.previous, squared_limit);
+      if (row_of_[face.next] == unknown) consider(face.next);
+      if (row_of_[face.previous] == unknown) consider(face.previous);
     }
   }
 }
 
-void PatchBuilder::consider(Index vertex, float squared_limit) {
+void PatchBuilder::place_sources(const Index* sources, std::uint32_t count) {
+  middle_ = Vec3::Zero();
+  for (std::uint32_t lane = 0; lane < count; ++lane) middle_ += lanes_.position[sources[lane]] / count;
+  for (std::uint32_t lane = 0; lane < most_lanes; ++lane) {
+    const Row source = row_at(sources[lane < count ? lane : 0]);
+    for (int axis = 0; axis < 3; ++axis) source_place_[axis][lane] = source.place[axis];
+    if (lane >= count) continue;
+    row_of_[source.vertex] = 0;
+    found_.push_back(source);
+  }
+}
+
+PatchBuilder::Row PatchBuilder::row_at(Index vertex) const {
   const Vec3 place = (lanes_.position[vertex] - middle_) * per_unit_;
-  const auto squared = static_cast<float>(place.squaredNorm());
-  const bool inside = squared <= squared_limit;
-  row_of_[vertex] = inside ? 0 : outside;
-  if (inside)
-    found_.push_back(
-        {vertex, {static_cast<float>(place[0]), static_cast<float>(place[1]), static_cast<float>(place[2])}, squared});
+  return {vertex,
+          {static_cast<float>(place[0]), static_cast<float>(place[1]), static_cast<float>(place[2])},
+          static_cast<float>(place.squaredNorm())};
+}
+
+void PatchBuilder::consider(Index vertex) {
+  const Row row = row_at(vertex);
+  int near = 0;
+  for (std::uint32_t lane = 0; lane < most_lanes; ++lane) {
+    const float x = row.place[0] - source_place_[0][lane];
+    const float y = row.place[1] - source_place_[1][lane];
+    const float z = row.place[2] - source_place_[2][lane];
+    near |= x * x + y * y + z * z <= squared_reach_;
+  }
+  row_of_[vertex] = near != 0 ? 0 : outside;
+  if (near != 0)
+    found_.push_back(row);
   else
     found_outside_.push_back(vertex);
 }

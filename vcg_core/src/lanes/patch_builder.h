@@ -37,8 +37,10 @@ class PatchBuilder {
   static constexpr std::uint32_t outside = unknown - 1;
 
   void forget_last();
+  void place_sources(const Index* sources, std::uint32_t count);
   void collect_rows(const Index* sources, std::uint32_t count, double reach);
-  void consider(Index vertex, float squared_limit);
+  Row row_at(Index vertex) const;
+  void consider(Index vertex);
   void sort_rows();
   void place_rows();
   void place_faces();
@@ -50,6 +52,8 @@ class PatchBuilder {
   double per_unit_;
   Patch patch_{};
   Vec3 middle_;
+  float source_place_[3][most_lanes];  ///< unused lanes repeat the first source
+  float squared_reach_;
   std::vector<std::uint32_t> row_of_;  ///< by vertex of the mesh: its row in the patch, or `unknown`, or `outside`
   std::vector<Row> found_;
   std::vector<Index> found_outside_;

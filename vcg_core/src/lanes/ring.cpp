@@ -8,25 +8,30 @@ namespace vcg_core::detail {
 
 namespace {
 
-/// Place of a corner in the star of its vertex.
-std::uint8_t slot_of(const MeshArrays& mesh, Index corner) {
-  const Index v = vertex_of(mesh, corner);
-  const auto star = mesh.topology.star.begin();
-  const auto begin = star + mesh.topology.star_begin[v];
-  const auto end = star + mesh.topology.star_begin[v + 1];
-  return static_cast<std::uint8_t>(std::min<std::ptrdiff_t>(std::lower_bound(begin, end, corner) - begin, last_slot));
+/// Place of each corner in the star of its vertex, at most last_slot.
+std::vector<std::uint8_t> slots_of_corners(const MeshArrays& mesh, Job& job) {
+  const MeshTopology& topology = mesh.topology;
+  std::vector<std::uint8_t> slot(3 * mesh.face.size());
+  job.parallel(mesh.size(), 16384, Loop::minor, [&](Chunks& chunks) {
+    while (chunks.next())
+      for (std::size_t v = chunks.begin(); v < chunks.end(); ++v)
+        for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s)
+          slot[topology.star[s]] = static_cast<std::uint8_t>(std::min<Index>(s - topology.star_begin[v], last_slot));
+  });
+  return slot;
 }
 
 }  // namespace
 
 std::vector<RingFace> make_rings(const MeshArrays& mesh, Job& job) {
+  const std::vector<std::uint8_t> slot = slots_of_corners(mesh, job);
   std::vector<RingFace> ring(mesh.topology.star.size());
-  job.parallel(ring.size(), 16384, [&](Chunks& chunks) {
+  job.parallel(ring.size(), 65536, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t s = chunks.begin(); s < chunks.end(); ++s) {
         const Index next = next_in_face(mesh.topology.star[s]);
         const Index previous = previous_in_face(mesh.topology.star[s]);
-        ring[s] = {vertex_of(mesh, next), vertex_of(mesh, previous), slot_of(mesh, next), slot_of(mesh, previous)};
+        ring[s] = {vertex_of(mesh, next), vertex_of(mesh, previous), slot[next], slot[previous]};
       }
   });
   return ring;
