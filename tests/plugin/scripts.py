@@ -2,13 +2,17 @@
 
 SMOOTHING = "Anisotropic Feature-Preserving Smoothing"
 GEODESIC = "Geodesic Distance by Virtual Source"
+BILATERAL = "Bilateral Mesh Denoising"
+NON_ITERATIVE = "Non-Iterative Feature-Preserving Smoothing"
 
 KINDS = {"sigma_c": "RichFloat", "sigma_s": "RichFloat", "sigma_n": "RichFloat", "rho": "RichFloat",
          "iterations": "RichInt", "boundary": "RichEnum", "selected": "RichBool", "start_vertex": "RichInt",
          "isolines": "RichInt"}
 DEFAULTS = {SMOOTHING: {"sigma_c": 2, "sigma_s": 1, "sigma_n": 0.3, "rho": 2, "iterations": 1, "boundary": 0,
                         "selected": "false"},
-            GEODESIC: {"start_vertex": 0, "isolines": 10}}
+            GEODESIC: {"start_vertex": 0, "isolines": 10},
+            BILATERAL: {"sigma_c": 2, "sigma_s": 1, "iterations": 1, "boundary": 0, "selected": "false"},
+            NON_ITERATIVE: {"sigma_c": 2, "sigma_s": 1, "boundary": 0, "selected": "false"}}
 
 
 def write(path, name, **values):

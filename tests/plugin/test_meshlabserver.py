@@ -148,6 +148,43 @@ class Smoothing(unittest.TestCase):
         self.assertIn("Merge Close Vertices", done.stdout)
 
 
+class ComparedFilters(unittest.TestCase):
+    """The filters that the paper compares itself with, where MeshLab lacks them."""
+
+    def same_as_the_command_line(self, filter_name, method, source, **values):
+        options = [word for name, value in values.items()
+                   for word in ("--" + name.replace("_", "-"), "free" if name == "boundary" else value)]
+        name = "_".join([method, source.stem, *values])
+        ours = work / f"{name}_tool.ply"
+        run_tool("smooth", source, ours, "--quiet", "--method", method, *options)
+        done, theirs = serve(source, f"{name}_server", filter_name, **values)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertEqual(ply.positions(theirs), ply.positions(ours))
+        return ply.positions(ours)
+
+    def test_same_vertices_as_the_command_line(self):
+        for filter_name, method, values in (
+                (scripts.BILATERAL, "bmd", {"sigma_c": "1.3", "sigma_s": "0.7", "iterations": "3", "boundary": "1"}),
+                (scripts.NON_ITERATIVE, "jones", {"sigma_c": "1.3", "sigma_s": "0.7", "boundary": "1"})):
+            with self.subTest(filter_name):
+                smoothed = self.same_as_the_command_line(filter_name, method, noisy)
+                self.assertNotEqual(smoothed, ply.positions(noisy))
+            default = self.same_as_the_command_line(filter_name, method, sheets)
+            for name, value in values.items():
+                with self.subTest(filter_name, parameter=name):
+                    self.assertNotEqual(self.same_as_the_command_line(filter_name, method, sheets, **{name: value}),
+                                        default)
+
+    def test_bad_values(self):
+        for number, (filter_name, name) in enumerate(((scripts.BILATERAL, "iterations"), (scripts.BILATERAL, "sigma_s"),
+                                                      (scripts.NON_ITERATIVE, "sigma_c"))):
+            with self.subTest(filter_name, parameter=name):
+                done, target = serve(sheets, f"bad_compared_{number}", filter_name, **{name: "0"})
+                self.assertEqual(done.returncode, 255, done.stdout)
+                self.assertFalse(target.exists())
+                self.assertIn(f"{name} is 0; it must be", done.stdout)
+
+
 class Geodesic(unittest.TestCase):
     def test_same_distances_and_colours_as_the_command_line(self):
         ours = work / "geodesic_tool.ply"
@@ -239,7 +276,7 @@ class Menu(unittest.TestCase):
         listing = work / "filters.txt"
         meshlab.server(display.name, "-d", listing)
         text = listing.read_text(errors="replace")
-        for name in (scripts.SMOOTHING, scripts.GEODESIC):
+        for name in (scripts.SMOOTHING, scripts.GEODESIC, scripts.BILATERAL, scripts.NON_ITERATIVE):
             self.assertIn(name, text)
         self.assertIn("Anisotropic Feature-Preserving Smoothing of 3D Mesh", text)
 
