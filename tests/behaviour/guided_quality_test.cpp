@@ -1,0 +1,150 @@
+// What the guided method promises of its results, on shapes whose truth is known. The bounds are what was measured, see
+// docs/guided.md, with a margin of about a third.
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <mesh_tools/measure.h>
+#include <mesh_tools/noise.h>
+#include <mesh_tools/shapes.h>
+#include <support/mesh_types.h>
+#include <support/smoothed_by.h>
+
+namespace {
+
+using mesh_tools::Measurement;
+using mesh_tools::NoiseDirection;
+using vcg_core::Method;
+
+mesh_tools::Mesh copy_of(const mesh_tools::Mesh& mesh) {
+  mesh_tools::Mesh copy;
+  test_support::fill(copy, test_support::flat(mesh));
+  return copy;
+}
+
+Measurement after(Method method, const char* shape, std::size_t vertices, double level,
+                  NoiseDirection direction = NoiseDirection::normal) {
+  const mesh_tools::Mesh truth = mesh_tools::make_shape(shape, vertices);
+  mesh_tools::Mesh noisy = copy_of(truth);
+  if (level > 0) mesh_tools::add_noise(noisy, level, 3, direction);
+  mesh_tools::Mesh result = copy_of(noisy);
+  vcg_core::smooth(result, method, vcg_core::method_info(method).defaults);
+  return mesh_tools::measure(result, truth, &noisy);
+}
+
+struct Bound {
+  const char* shape;
+  double level;
+  NoiseDirection direction;
+  double normal_error, sharp_normal_error, distance_rms;
+};
+
+void PrintTo(const Bound& bound, std::ostream* out) { *out << bound.shape << " " << bound.level; }
+
+class GuidedQuality : public testing::TestWithParam<Bound> {};
+
+TEST_P(GuidedQuality, StaysWithinItsBounds) {
+  const Bound& bound = GetParam();
+  const Measurement found = after(Method::guided, bound.shape, 3000, bound.level, bound.direction);
+  EXPECT_LT(found.normal_error.mean, bound.normal_error);
+  if (bound.sharp_normal_error > 0) {
+    EXPECT_LT(found.sharp_normal_error.mean, bound.sharp_normal_error);
+  }
+  EXPECT_LT(found.distance_rms, bound.distance_rms);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, GuidedQuality,
+                         testing::Values(Bound{"cube", 0.1, NoiseDirection::normal, 0.6, 0.9, 0.024},
+                                         Bound{"cube", 0.3, NoiseDirection::normal, 1.9, 3.2, 0.07},
+                                         Bound{"stepped_block", 0.2, NoiseDirection::normal, 1.5, 2.6, 0.05},
+                                         Bound{"cad_part", 0.2, NoiseDirection::normal, 2.2, 3.6, 0.07},
+                                         Bound{"torus", 0.2, NoiseDirection::normal, 1.5, 0, 0.055},
+                                         Bound{"sphere", 0.3, NoiseDirection::normal, 1.5, 0, 0.06},
+                                         Bound{"graded_cube", 0.2, NoiseDirection::normal, 2.2, 5.0, 0.055},
+                                         Bound{"thin_sheets", 0.2, NoiseDirection::normal, 1.2, 0, 0.05},
+                                         Bound{"cube", 0.3, NoiseDirection::any, 1.7, 2.2, 0.05}));
+
+// Parts one edge length thick, which guided normals by themselves destroy: 30 degrees at their edges.
+TEST(GuidedThinParts, KeepTheirEdges) {
+  for (const double level : {0.1, 0.2}) {
+    const Measurement found = after(Method::guided, "thin_plate", 4000, level);
+    EXPECT_LT(found.sharp_normal_error.mean, 5) << level;
+    EXPECT_LT(std::abs(found.volume_change_percent.value()), 2) << level;
+  }
+}
+
+TEST(GuidedCleanMesh, IsLeftAlone) {
+  for (const char* shape : {"sphere", "torus", "cube", "plane_delaunay", "cad_part"}) {
+    const Measurement found = after(Method::guided, shape, 3000, 0);
+    EXPECT_LT(found.distance_rms, 0.02) << shape;
+    EXPECT_LT(std::abs(found.volume_change_percent.value_or(0)), 0.1) << shape;
+  }
+}
+
+TEST(GuidedNoise, IsTakenAwayBetterThanByThePaper) {
+  for (const char* shape : {"cube", "cad_part", "sphere", "graded_cube"})
+    EXPECT_LT(after(Method::guided, shape, 3000, 0.3).normal_error.mean,
+              after(Method::paper, shape, 3000, 0.3).normal_error.mean / 2)
+        << shape;
+}
+
+TEST(GuidedFolds, AreFewerThanInTheNoise) {
+  const mesh_tools::Mesh truth = mesh_tools::make_shape("cad_part", 3000);
+  for (const NoiseDirection direction : {NoiseDirection::normal, NoiseDirection::any}) {
+    mesh_tools::Mesh noisy = copy_of(truth);
+    mesh_tools::add_noise(noisy, 0.4, 5, direction);
+    mesh_tools::Mesh result = copy_of(noisy);
+    vcg_core::smooth(result, Method::guided, vcg_core::method_info(Method::guided).defaults);
+    EXPECT_LT(mesh_tools::measure(result, truth).flipped_faces, mesh_tools::measure(noisy, truth).flipped_faces);
+  }
+}
+
+// A higher strength moves more, a lower one less.
+TEST(GuidedStrength, IsMonotone) {
+  mesh_tools::Mesh noisy = mesh_tools::make_shape("torus", 3000);
+  mesh_tools::add_noise(noisy, 0.2, 3, NoiseDirection::normal);
+  double before = 0;
+  for (const double strength : {0.1, 0.5, 1.0}) {
+    mesh_tools::Mesh result = copy_of(noisy);
+    vcg_core::SmoothingParameters parameters = vcg_core::method_info(Method::guided).defaults;
+    parameters.strength = strength;
+    const double moved = vcg_core::smooth(result, Method::guided, parameters).rms_displacement;
+    EXPECT_GT(moved, before) << strength;
+    before = moved;
+  }
+}
+
+// Attributes change on request only, and never those of vertices that are held.
+TEST(GuidedAttributes, ChangeOnRequestOnly) {
+  const test_support::FlatMesh shape = test_support::flat(mesh_tools::make_shape("cube", 500));
+  for (const bool smooth_color : {false, true}) {
+    test_support::RichMesh mesh;
+    test_support::fill(mesh, shape);
+    for (std::size_t v = 0; v < mesh.vert.size(); ++v) {
+      mesh.vert[v].C() = vcg::Color4b(v % 2 == 0 ? 255 : 0, 10, 20, 255);
+      mesh.vert[v].Q() = static_cast<double>(v % 3);
+      if (v >= 100) mesh.vert[v].SetS();
+    }
+    vcg_core::SmoothingParameters parameters = vcg_core::method_info(Method::guided).defaults;
+    parameters.smooth_color = smooth_color;
+    parameters.selected_only = true;
+    vcg_core::smooth(mesh, Method::guided, parameters);
+    std::size_t changed = 0;
+    for (std::size_t v = 0; v < mesh.vert.size(); ++v) {
+      const bool same = mesh.vert[v].C() == vcg::Color4b(v % 2 == 0 ? 255 : 0, 10, 20, 255) &&
+                        mesh.vert[v].Q() == static_cast<double>(v % 3);
+      changed += !same;
+      if (v < 100) {
+        EXPECT_TRUE(same) << v;
+      }
+    }
+    if (smooth_color) {
+      EXPECT_GT(changed, 300u);
+    } else {
+      EXPECT_EQ(changed, 0u);
+    }
+  }
+}
+
+}  // namespace
