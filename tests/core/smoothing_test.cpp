@@ -111,7 +111,6 @@ TYPED_TEST(SmoothingWithFlagsOf, ReadsTheSelectionAndLeavesIt) {
     for (int k = 0; k < 3; ++k) may_move[mesh.face[f].V(k) - mesh.vert.data()] = true;
   }
   SmoothingParameters parameters;
-  parameters.arithmetic = vcg_core::Arithmetic::reference;  // the fast one rounds otherwise for every set of vertices
   TypeParam all;
   fill(all, flat(mesh));
   vcg_core::smooth(all, vcg_core::Method::paper, parameters);
