@@ -39,6 +39,7 @@ PassOutput bmd_pass(const PassInput& in) {
   const SmoothingParameters& p = in.parameters;
   const GaussianWeights weights(p.sigma_c, p.sigma_s, p.sigma_n, p.gaussian);
   const PointGrid grid(in.position, vertices_with_faces(in.mesh), p.rho * p.sigma_c * unit);
+  in.job.report(0.0);
   PassOutput out{in.position};
   in.job.parallel(in.mesh.size(), 256, [&](Chunks& chunks) {
     PointGrid::Search ball(grid);

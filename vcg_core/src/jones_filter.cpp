@@ -53,6 +53,7 @@ std::vector<Vec3> mollified_positions(const PassInput& in, const FaceMeans& mean
   const double unit = in.mesh.topology.average_edge_length;
   const double sigma = in.parameters.sigma_c / 2;
   const PointGrid grid(means.centroid, faces, in.parameters.rho * sigma * unit);
+  in.job.report(0.1);
   std::vector<Vec3> mollified = in.position;
   in.job.parallel(in.mesh.size(), 256, [&](Chunks& chunks) {
     PointGrid::Search ball(grid);
@@ -96,7 +97,9 @@ PassOutput jones_pass(const PassInput& in) {
   const std::vector<Index> faces = faces_with_area(means);
   const std::vector<Vec3> normal = face_normals(in.mesh, mollified_positions(in, means, faces), in.job);
 
+  in.job.report(0.5);
   const PointGrid grid(means.centroid, faces, in.parameters.rho * sigma_c * unit);
+  in.job.report(0.5);
   PassOutput out{in.position};
   std::atomic<std::size_t> empty{0};
   in.job.parallel(in.mesh.size(), 256, [&](Chunks& chunks) {

@@ -43,10 +43,12 @@ class PointGrid {
 
  private:
   std::array<std::int64_t, 3> cell_of(const Vec3& p) const;
-  static std::uint64_t key_of(std::int64_t x, std::int64_t y, std::int64_t z);
+  std::uint64_t key_of(std::int64_t x, std::int64_t y, std::int64_t z) const;
 
   double squared_radius_;
   double cell_size_;
+  std::int64_t last_cell_;  ///< along each axis
+  int bits_per_axis_;
   Vec3 origin_;
   std::vector<std::uint64_t> key_;  ///< the cell of each point, ascending; neighbours along x are consecutive
   std::vector<Index> index_;

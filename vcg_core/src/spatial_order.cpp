@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "radix_sort.h"
+
 namespace vcg_core::detail {
 
 namespace {
@@ -40,33 +42,12 @@ std::vector<std::uint64_t> morton_codes(const std::vector<Vec3>& position) {
   return codes;
 }
 
-/// Stable radix sort of indices by code: a comparison sort takes several times as long on a million vertices.
-void radix_sort(std::vector<std::uint64_t>& code, std::vector<Index>& order) {
-  constexpr int digit_bits = 11;
-  constexpr std::size_t buckets = std::size_t(1) << digit_bits;
-  std::vector<std::uint64_t> other_code(code.size());
-  std::vector<Index> other_order(order.size());
-  for (int shift = 0; shift < 3 * bits_per_axis; shift += digit_bits) {
-    std::size_t begin[buckets] = {};
-    const auto digit = [shift](std::uint64_t c) { return (c >> shift) & (buckets - 1); };
-    for (const std::uint64_t c : code) ++begin[digit(c)];
-    std::exclusive_scan(begin, begin + buckets, begin, std::size_t(0));
-    for (std::size_t i = 0; i < code.size(); ++i) {
-      const std::size_t to = begin[digit(code[i])]++;
-      other_code[to] = code[i];
-      other_order[to] = order[i];
-    }
-    code.swap(other_code);
-    order.swap(other_order);
-  }
-}
-
 }  // namespace
 
 SpatialOrder morton_order(const std::vector<Vec3>& position) {
   SpatialOrder result{std::vector<Index>(position.size()), morton_codes(position)};
   std::iota(result.order.begin(), result.order.end(), Index(0));
-  radix_sort(result.code, result.order);
+  radix_sort(result.code, result.order, 3 * bits_per_axis);
   return result;
 }
 

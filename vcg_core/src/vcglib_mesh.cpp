@@ -1,10 +1,32 @@
 #include "vcglib_mesh.h"
 
-#include <vcg/complex/algorithms/update/flag.h>
+#include <algorithm>
+#include <array>
 
 namespace vcg_core::detail {
 
-VcglibMesh::VcglibMesh(const MeshArrays& arrays) {
+namespace {
+
+constexpr std::size_t elements_between_reports = 65536;
+
+bool is_whole(const std::array<Index, 3>& f) { return f[0] != f[1] && f[1] != f[2] && f[2] != f[0]; }
+
+/// Whether only one face has the edge that follows this corner.
+bool is_border_edge(const MeshArrays& arrays, Index corner) {
+  const MeshTopology& topology = arrays.topology;
+  const Index from = vertex_of(arrays, corner);
+  const Index to = vertex_of(arrays, next_in_face(corner));
+  if (!topology.border[from] || !topology.border[to]) return false;
+  int faces = 0;
+  for (Index s = topology.star_begin[from]; s < topology.star_begin[from + 1]; ++s)
+    faces += vertex_of(arrays, next_in_face(topology.star[s])) == to ||
+             vertex_of(arrays, previous_in_face(topology.star[s])) == to;
+  return faces == 1;
+}
+
+}  // namespace
+
+VcglibMesh::VcglibMesh(const MeshArrays& arrays, Job& job) {
   const MeshTopology& topology = arrays.topology;
   std::vector<Index> index_of(arrays.size());
   for (Index v = 0; v < arrays.size(); ++v) {
@@ -13,10 +35,19 @@ VcglibMesh::VcglibMesh(const MeshArrays& arrays) {
     vertex_.push_back(v);
   }
   vcg::tri::Allocator<SmoothedMesh>::AddVertices(mesh_, vertex_.size());
-  for (const auto& f : arrays.face)
-    if (f[0] != f[1] && f[1] != f[2] && f[2] != f[0])
-      vcg::tri::Allocator<SmoothedMesh>::AddFace(mesh_, index_of[f[0]], index_of[f[1]], index_of[f[2]]);
-  vcg::tri::UpdateFlags<SmoothedMesh>::FaceBorderFromNone(mesh_);
+  job.report(0.0);
+  vcg::tri::Allocator<SmoothedMesh>::AddFaces(
+      mesh_, static_cast<std::size_t>(std::count_if(arrays.face.begin(), arrays.face.end(), is_whole)));
+  auto face = mesh_.face.begin();
+  for (std::size_t f = 0; f < arrays.face.size(); ++f) {
+    if (f % elements_between_reports == 0) job.report(0.0);
+    if (!is_whole(arrays.face[f])) continue;
+    for (int k = 0; k < 3; ++k) {
+      face->V(k) = &mesh_.vert[index_of[arrays.face[f][k]]];
+      if (is_border_edge(arrays, static_cast<Index>(3 * f + k))) face->SetB(k);
+    }
+    ++face;
+  }
   find_borders();
 }
 

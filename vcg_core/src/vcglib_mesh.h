@@ -27,7 +27,7 @@ class SmoothedMesh : public vcg::tri::TriMesh<std::vector<SmoothedVertex>, std::
 /// ones are selected and only these are read back.
 class VcglibMesh {
  public:
-  explicit VcglibMesh(const MeshArrays& arrays);
+  VcglibMesh(const MeshArrays& arrays, Job& job);
 
   SmoothedMesh& mesh() { return mesh_; }
 
@@ -66,7 +66,7 @@ class VcglibMesh {
 template <class Step>
 FilterPass make_vcglib_pass(Step step) {
   return [step, mesh = std::shared_ptr<VcglibMesh>()](const PassInput& in) mutable {
-    if (!mesh) mesh = std::make_shared<VcglibMesh>(in.mesh);
+    if (!mesh) mesh = std::make_shared<VcglibMesh>(in.mesh, in.job);
     mesh->load(in);
     in.job.report(0.1);
     step(*mesh);

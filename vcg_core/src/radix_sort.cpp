@@ -1,0 +1,28 @@
+#include "radix_sort.h"
+
+#include <cstddef>
+#include <numeric>
+
+namespace vcg_core::detail {
+
+void radix_sort(std::vector<std::uint64_t>& code, std::vector<Index>& order, int bits) {
+  constexpr int digit_bits = 11;
+  constexpr std::size_t buckets = std::size_t(1) << digit_bits;
+  std::vector<std::uint64_t> other_code(code.size());
+  std::vector<Index> other_order(order.size());
+  for (int shift = 0; shift < bits; shift += digit_bits) {
+    std::size_t begin[buckets] = {};
+    const auto digit = [shift](std::uint64_t c) { return (c >> shift) & (buckets - 1); };
+    for (const std::uint64_t c : code) ++begin[digit(c)];
+    std::exclusive_scan(begin, begin + buckets, begin, std::size_t(0));
+    for (std::size_t i = 0; i < code.size(); ++i) {
+      const std::size_t to = begin[digit(code[i])]++;
+      other_code[to] = code[i];
+      other_order[to] = order[i];
+    }
+    code.swap(other_code);
+    order.swap(other_order);
+  }
+}
+
+}  // namespace vcg_core::detail
