@@ -165,7 +165,8 @@ class ComparedFilters(unittest.TestCase):
     def test_same_vertices_as_the_command_line(self):
         for filter_name, method, values in (
                 (scripts.BILATERAL, "bmd", {"sigma_c": "1.3", "sigma_s": "0.7", "iterations": "3", "boundary": "1"}),
-                (scripts.NON_ITERATIVE, "jones", {"sigma_c": "1.3", "sigma_s": "0.7", "boundary": "1"})):
+                (scripts.NON_ITERATIVE, "jones", {"sigma_c": "1.3", "sigma_s": "0.7", "boundary": "1"}),
+                (scripts.GUIDED, "guided", {"strength": "0.5", "feature_angle": "50", "iterations": "3"})):
             with self.subTest(filter_name):
                 smoothed = self.same_as_the_command_line(filter_name, method, noisy)
                 self.assertNotEqual(smoothed, ply.positions(noisy))

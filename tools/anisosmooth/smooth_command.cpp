@@ -164,8 +164,9 @@ std::function<void()> declare_smooth(CLI::App& app) {
                  "Standard deviation of the normal weight, without unit: smaller keeps more edges; > 0 [default 0.3; "
                  "the paper uses 0.1 to 0.3]");
   app.add_option("--rho", options->rho, "Cut-off distance of the neighbourhood, in sigma_c; > 0 [default 2]");
-  app.add_option("--iterations", options->iterations,
-                 "Number of passes; >= 1 [default 1; the other filters have their own; 0 with method guided: by the noise]");
+  app.add_option(
+      "--iterations", options->iterations,
+      "Number of passes; >= 1 [default 1; the other filters have their own; 0 with method guided: by the noise]");
   app.add_option("--strength", options->strength,
                  "Method guided: strength, as a multiple of what the mesh's own noise asks for; above 0, at most 10 "
                  "[default 1]");

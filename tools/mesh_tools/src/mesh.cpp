@@ -58,7 +58,7 @@ void copy_elements(const From& from, To& to) {
 
 }  // namespace
 
-void Mesh::swap(Mesh& other) {  // vectors keep their storage when swapped, so references between elements hold
+void Mesh::swap(Mesh& other) noexcept {  // vectors keep their storage when swapped, so references between elements hold
   vert.swap(other.vert);
   edge.swap(other.edge);
   face.swap(other.face);

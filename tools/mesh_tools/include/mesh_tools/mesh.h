@@ -41,14 +41,14 @@ class FaceF : public vcg::Face<TypesF, vcg::face::VertexRef, vcg::face::Normal3f
 /// meshes it can be moved, so that functions return it; attributes that a caller attached by name do not move along.
 struct Mesh : vcg::tri::TriMesh<std::vector<detail::VertexD>, std::vector<detail::EdgeD>, std::vector<detail::FaceD>> {
   Mesh() = default;
-  Mesh(Mesh&& other) { swap(other); }
-  Mesh& operator=(Mesh&& other) {
+  Mesh(Mesh&& other) noexcept { swap(other); }
+  Mesh& operator=(Mesh&& other) noexcept {
     swap(other);
     return *this;
   }
 
  private:
-  void swap(Mesh& other);
+  void swap(Mesh& other) noexcept;
 };
 
 /// The same in single precision, as most files and MeshLab's usual build store it.

@@ -1,5 +1,7 @@
 // Geomview's OFF, with the prefixes N (normals) and C (colours).
 
+#include <cmath>
+
 #include <vcg/complex/algorithms/update/bounding.h>
 
 #include "formats.h"
@@ -56,7 +58,7 @@ vcg::Color4b read_color(const LineReader& reader, const Words& words, std::size_
   for (std::size_t i = first; i < words.size(); ++i) {
     const double value = reader.number(words[i]) * (fractions ? 255 : 1);
     if (!(value >= 0 && value <= 255)) reader.fail("'" + std::string(words[i]) + "' is not a colour component");
-    color[static_cast<int>(i - first)] = static_cast<unsigned char>(value + 0.5);
+    color[static_cast<int>(i - first)] = static_cast<unsigned char>(std::lround(value));
   }
   return color;
 }

@@ -115,6 +115,7 @@ class VertexMerger {
 void build(const std::vector<Facet>& facets, Mesh& mesh) {
   VertexMerger merger;
   std::vector<std::array<std::size_t, 3>> corners;
+  corners.reserve(facets.size());
   for (const Facet& facet : facets)
     corners.push_back(
         {merger.vertex_at(facet.corner[0]), merger.vertex_at(facet.corner[1]), merger.vertex_at(facet.corner[2])});

@@ -23,14 +23,17 @@ std::vector<Point2> scatter_uniform(const Region& region, double h, Random& rand
   std::vector<Point2> points;
   const double row_height = h * std::sqrt(0.75);
   const double distance = std::min(clearance * h, region.longest_edge());
-  int row = 0;
-  for (double y = region.low().y; y <= region.high().y; y += row_height, ++row) {
-    for (double x = region.low().x + (row % 2 ? 0.5 * h : 0.0); x <= region.high().x; x += h) {
+  double y = region.low().y;
+  for (int row = 0; y <= region.high().y; ++row) {
+    double x = region.low().x + (row % 2 ? 0.5 * h : 0.0);
+    while (x <= region.high().x) {
       const double radius = 0.25 * h * std::sqrt(random.uniform());
       const double angle = 6.283185307179586 * random.uniform();
       const Point2 p{x + radius * std::cos(angle), y + radius * std::sin(angle)};
       if (region.contains(p) && !region.is_near_boundary(p, distance)) points.push_back(p);
+      x += h;
     }
+    y += row_height;
   }
   return points;
 }

@@ -75,6 +75,7 @@ void make_plane_delaunay(std::size_t vertices, Mesh& mesh) {
   }
   const Triangulation triangulation = delaunay(points);
   std::vector<vcg::Point3d> places;
+  places.reserve(points.size());
   for (const Point2& p : points) places.emplace_back(p.x, p.y, 0.0);
   fill_mesh(places, triangulation.triangles, mesh);
 }
