@@ -80,7 +80,8 @@ class Library(unittest.TestCase):
         for name in ("main.cpp", "CMakeLists.txt"):
             (project / name).write_text(example(f"file: {name}"))
         flags = f"-fsanitize={os.environ['ANISO_SANITIZE']}" if os.environ["ANISO_SANITIZE"] else ""
-        run([cmake, "-S", project, "-B", project / "build", f"-DCMAKE_PREFIX_PATH={prefix}",
+        run([cmake, "-S", project, "-B", project / "build", "-G", os.environ["ANISO_GENERATOR"],
+             f"-DCMAKE_PREFIX_PATH={prefix}",
              f"-DVCGLIB_DIR={os.environ['ANISO_VCGLIB']}", f"-DCMAKE_CXX_COMPILER={os.environ['ANISO_CXX']}",
              f"-DCMAKE_CXX_FLAGS={flags}"])
         run([cmake, "--build", project / "build"])
