@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -67,6 +68,11 @@ int run(int argc, char** argv) {
 }  // namespace anisosmooth
 
 int main(int argc, char** argv) {
-  anisosmooth::handle_interrupts();
-  return anisosmooth::run(argc, argv);
+  try {
+    anisosmooth::handle_interrupts();
+    return anisosmooth::run(argc, argv);
+  } catch (...) {  // run() reports what it knows; here even that failed, as when no memory is left
+    std::fputs("anisosmooth: unexpected failure\n", stderr);
+    return anisosmooth::bad_input;
+  }
 }
