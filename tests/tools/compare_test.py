@@ -4,9 +4,11 @@ import json
 import os
 import pathlib
 import shutil
+import signal
 import struct
 import subprocess
 import tempfile
+import time
 import unittest
 
 PROGRAM = os.path.abspath(os.environ["ANISOSMOOTH"])
@@ -89,6 +91,22 @@ class Compare(unittest.TestCase):
         self.assertEqual(len(set(means)), 7, means)
         for mean in means:
             self.assertLess(float(mean.split(":")[1]), 0.95, "nearly white: nothing was drawn")
+
+    @unittest.skipIf(any(shutil.which(name) is None for name in RENDERERS), "no renderer")
+    def test_an_interrupt_while_drawing_ends_at_once_and_leaves_no_work(self):
+        process = subprocess.Popen([PROGRAM, "compare", "noisy.ply", "--out", "interrupted"], cwd=self.folder,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        folder = self.folder / "interrupted"
+        deadline = time.monotonic() + 60
+        while not list(folder.glob(".pictures-*/*_whole.png")) and time.monotonic() < deadline:
+            time.sleep(0.02)
+        start = time.monotonic()
+        process.send_signal(signal.SIGINT)  # to the program alone, as a shell script's trap would
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130)
+        self.assertLess(time.monotonic() - start, 5)
+        self.assertEqual(list(folder.glob(".pictures-*")), [])
+        self.assertFalse((folder / "figure9.png").exists())
 
     def size_of_png(self, path):
         data = path.read_bytes()

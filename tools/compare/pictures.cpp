@@ -220,7 +220,7 @@ class Studio {
   }
 
   void run(const std::vector<std::string>& command) const {
-    const int status = run_program(command, work_.path(), "log.txt");
+    const int status = run_program(command, work_.path(), "log.txt", interrupted);
     if (interrupted()) throw vcg_core::Cancelled();
     if (status == 0) return;
     std::ifstream log(work_.path() / "log.txt");

@@ -5,10 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 extern char** environ;
 
@@ -22,7 +24,27 @@ bool has_program(const std::string& name) {
   return false;
 }
 
-int run_program(const std::vector<std::string>& command, const std::filesystem::path& folder, const std::string& log) {
+namespace {
+
+/// The status of the program once it has ended; ends it, with all that it has started, when `stop` says so.
+int wait_for(pid_t process, const std::function<bool()>& stop) {
+  constexpr std::chrono::milliseconds between_looks(20);
+  int status = 0;
+  while (::waitpid(process, &status, WNOHANG) == 0) {
+    if (stop()) {
+      ::kill(-process, SIGTERM);
+      ::waitpid(process, &status, 0);
+      break;
+    }
+    std::this_thread::sleep_for(between_looks);
+  }
+  return status;
+}
+
+}  // namespace
+
+int run_program(const std::vector<std::string>& command, const std::filesystem::path& folder, const std::string& log,
+                const std::function<bool()>& stop) {
   // The folder is entered by a shell that then becomes the program: there is no portable way to spawn elsewhere.
   std::vector<std::string> words = {"sh", "-c", "cd \"$0\" && exec \"$@\"", folder.string()};
   words.insert(words.end(), command.begin(), command.end());
@@ -36,13 +58,17 @@ int run_program(const std::vector<std::string>& command, const std::filesystem::
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, (folder / log).c_str(), O_WRONLY | O_CREAT | O_APPEND,
                                    0644);
   posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+  // A process group of its own: what the program has started can then be stopped with it.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setpgroup(&attributes, 0);
   pid_t process = 0;
-  const int error = posix_spawnp(&process, "sh", &actions, nullptr, arguments.data(), environ);
+  const int error = posix_spawnp(&process, "sh", &actions, &attributes, arguments.data(), environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) throw std::runtime_error("cannot start " + command.front());
-  int status = 0;
-  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int status = wait_for(process, stop);
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 

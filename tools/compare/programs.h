@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,10 @@ namespace anisosmooth {
 bool has_program(const std::string& name);
 
 /// Runs a program, without a shell, in `folder`, with its output going to the file `log` there.
+/// @param stop  asked often; true ends the program, and what it has started
 /// @return  its exit status, or 128 + the signal that ended it
 /// @throws std::runtime_error if it cannot be started
-int run_program(const std::vector<std::string>& command, const std::filesystem::path& folder, const std::string& log);
+int run_program(const std::vector<std::string>& command, const std::filesystem::path& folder, const std::string& log,
+                const std::function<bool()>& stop);
 
 }  // namespace anisosmooth
