@@ -103,7 +103,8 @@ std::string to_markdown(const Comparison& comparison, const std::string& noisy_n
                      " Table 1.\n\n";
   if (comparison.reference) text += "Against " + reference_name + ":\n\n" + figure_table(comparison) + "\n";
   text += run_table(comparison);
-  for (const std::string& picture : pictures) text += "\n![" + picture + "](" + picture + ")\n";
+  for (const std::string& picture : pictures)
+    text.append("\n![").append(picture).append("](").append(picture).append(")\n");
   return text;
 }
 

@@ -20,7 +20,7 @@ bool has_program(const std::string& name) {
   const char* const path = std::getenv("PATH");
   std::istringstream folders(path ? path : "");
   for (std::string folder; std::getline(folders, folder, ':');)
-    if (!folder.empty() && ::access((folder + "/" + name).c_str(), X_OK) == 0) return true;
+    if (!folder.empty() && ::access(folder.append("/").append(name).c_str(), X_OK) == 0) return true;
   return false;
 }
 
@@ -49,6 +49,7 @@ int run_program(const std::vector<std::string>& command, const std::filesystem::
   std::vector<std::string> words = {"sh", "-c", "cd \"$0\" && exec \"$@\"", folder.string()};
   words.insert(words.end(), command.begin(), command.end());
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
 

@@ -93,6 +93,7 @@ Region strongest_region(const Mesh& mesh, const Positions& positions, const std:
   }
   // Cells that the surface only touches do not stand for a region.
   std::vector<std::size_t> counts;
+  counts.reserve(cells.size());
   for (const auto& [cell, sums] : cells) counts.push_back(sums.vertices);
   std::nth_element(counts.begin(), counts.begin() + counts.size() / 2, counts.end());
   const std::size_t fewest = counts[counts.size() / 2];

@@ -57,7 +57,9 @@ std::vector<Vec3> LanePass::run(const PassInput& in) {
         const auto moves = [&](Index v) { return in.movable[v] != 0; };
         if (std::none_of(sources, sources + count, moves)) continue;
         const Patch& patch = builder.build(sources, count, reach);
+        chunks.poll();  // a patch may be the whole mesh
         kernel_.march(patch, constants, poll, &chunks);
+        chunks.poll();
         kernel_.offsets(patch, constants, offset);
         for (std::uint32_t lane = 0; lane < count; ++lane)
           if (moves(sources[lane]))

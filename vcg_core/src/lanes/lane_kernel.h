@@ -300,7 +300,10 @@ void lane_offsets(const Patch& patch, const LaneParameters& parameters, float* o
 
 void lane_march(const Patch& patch, const LaneParameters& parameters, LanePoll poll, void* context) {
   // Rounded up to whole vectors: the builder leaves room behind the last face.
-  for (std::uint32_t f = 0; f < patch.face_begin[patch.rows]; f += Simd::lanes) shape_faces(patch, f);
+  for (std::uint32_t f = 0; f < patch.face_begin[patch.rows]; f += Simd::lanes) {
+    if (f % 65536 == 0) poll(context);
+    shape_faces(patch, f);
+  }
   March(patch, parameters, poll, context).run();
 }
 
