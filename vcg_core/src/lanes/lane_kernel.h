@@ -46,9 +46,10 @@ struct Nearest {
   }
 };
 
-/// The march: rows are computed outwards, at first from the faces behind the front only. When a row improves, the faces
-/// around it become pending at their other vertices; rows with pending faces are computed again, the lowest first, a
-/// little behind the front: label-correcting, with errors mended before they spread.
+/// The march: rows are computed outwards, from the faces behind the front; at once these faces are looked at from their
+/// two other vertices as well. When a row improves that the front has passed, the faces around it become pending at
+/// their other vertices; rows with pending faces are computed again, the lowest first, a little behind the front:
+/// label-correcting, with errors mended before they spread.
 class March {
  public:
   March(const Patch& patch, const LaneParameters& parameters, LanePoll poll, void* context)
@@ -98,13 +99,39 @@ class March {
     for (std::uint32_t row = p_.inner_rows; row < p_.rows; ++row) {
       front_ = row + 1;
       improve(row, p_.ready_faces[row]);
-      pass_on(row);
+      check_back(row);
       if (row % stride != 0) continue;
       const float behind = __builtin_sqrtf(p_.squared_radius[row]) - lag;
       while (settled < row && p_.squared_radius[settled] < behind * behind) ++settled;
       clean_below(settled);
     }
     clean_below(p_.rows);
+  }
+
+  /// The faces by which the front has reached a row may also be a way to their other vertices, in some lanes.
+  void check_back(std::uint32_t row) {
+    const std::uint32_t begin = p_.face_begin[row];
+    for (std::uint32_t faces = p_.ready_faces[row]; faces != 0; faces &= faces - 1) {
+      const std::uint32_t slot = static_cast<std::uint32_t>(__builtin_ctz(faces));
+      if (slot == last_slot) return pass_on(row);
+      check(p_.row_1[begin + slot], p_.marks[begin + slot].of_row_1);
+      check(p_.row_2[begin + slot], p_.marks[begin + slot].of_row_2);
+    }
+  }
+
+  /// Renews a row if one of its faces improves it. Few do: squares are compared, and the root is taken of those only.
+  void check(std::uint32_t row, std::uint32_t mark) {
+    const std::uint32_t slot = static_cast<std::uint32_t>(__builtin_ctz(mark));
+    if (slot != last_slot) {
+      Nearest nearest;
+      nearest.look_at(p_, p_.face_begin[row] + slot);
+      const Vector enough = Simd::sub(Simd::min(Simd::load(at(row)), limit_), tolerance_);
+      const Vector squared = Simd::min(nearest.squared, Simd::mul(nearest.around, nearest.around));
+      // At a source, distance 0, nothing is an improvement, and no square is smaller than 0.
+      const Vector positive = Simd::max(enough, Simd::set(0));
+      if (!Simd::any(Simd::less(squared, Simd::mul(positive, positive)))) return;
+    }
+    if (improve(row, mark)) pass_on(row);
   }
 
   /// Computes dirty rows below `end`, always the lowest one next, until there are none.
@@ -144,8 +171,8 @@ class March {
     for (; faces != 0; faces &= faces - 1) {
       const std::uint32_t slot = static_cast<std::uint32_t>(__builtin_ctz(faces));
       nearest.look_at(p_, begin + slot);
-      if (slot == 31)  // stands for all that follow
-        for (std::uint32_t f = begin + 32; f < p_.face_begin[row + 1]; ++f) nearest.look_at(p_, f);
+      if (slot == last_slot)
+        for (std::uint32_t f = begin + last_slot + 1; f < p_.face_begin[row + 1]; ++f) nearest.look_at(p_, f);
     }
     const Vector before = Simd::load(at(row));
     const Vector after = Simd::min(before, Simd::min(nearest.around, Simd::sqrt(nearest.squared)));

@@ -4,6 +4,9 @@
 
 namespace vcg_core::detail {
 
+/// Sets of a vertex's faces are 32 bits; the last bit stands for all faces from there on.
+constexpr std::uint32_t last_slot = 31;
+
 /// How a face's improvement reaches its two other vertices: its bit among the faces of each.
 struct FaceMarks {
   std::uint32_t of_row_1;

@@ -5,6 +5,8 @@
 
 #include <vcg_core/detail/mesh_arrays.h>
 
+#include "patch.h"
+
 namespace vcg_core::detail {
 
 /// A face as seen from a vertex v of it.
@@ -14,9 +16,6 @@ struct RingFace {
   std::uint8_t slot_at_next;      ///< place of the face among those of `next`, at most last_slot
   std::uint8_t slot_at_previous;  ///< the same for `previous`
 };
-
-/// Sets of a vertex's faces are 32 bits; the last bit stands for all faces from there on.
-constexpr std::uint8_t last_slot = 31;
 
 /// The faces of all vertices in the order of MeshTopology::star, with what the march asks of them spelled out. Depends
 /// on the connectivity only.
