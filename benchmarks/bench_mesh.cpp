@@ -70,20 +70,21 @@ std::size_t count_pairs(const Arrays& arrays, double rho) {
   const LaneKernel& kernel = *supported_lane_kernels().front();
   const std::vector<RingFace> ring = make_rings(arrays.mesh, job);
   const SourceGroups groups = group_sources(arrays.mesh, kernel.lanes, job);
-  const LaneMesh lanes{arrays.mesh, ring, arrays.mesh.position, arrays.normal};
+  const LaneMesh lanes{arrays.mesh, ring, groups, arrays.mesh.position, arrays.normal};
   PatchBuilder builder(lanes, kernel.lanes);
   LaneParameters parameters{};
   parameters.cutoff = static_cast<float>(rho);
   parameters.limit = static_cast<float>(rho + 0.5);
   parameters.tolerance = 4e-6f;
+  const LanePoll no_poll = [](void*) {};
   std::size_t pairs = 0;
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    const Patch& patch =
-        builder.build(&groups.member[groups.begin[g]], groups.begin[g + 1] - groups.begin[g], rho + 0.5);
-    kernel.march(
-        patch, parameters, [](void*) {}, nullptr);
+    const Patch& patch = builder.build(g, g + 1, rho + 0.5);
+    const PatchGroup& group = builder.group(g);
+    kernel.shape(patch, no_poll, nullptr);
+    kernel.march(patch, group, parameters, no_poll, nullptr);
     for (std::uint32_t row = 0; row < patch.rows; ++row)
-      for (std::uint32_t lane = 0; lane < patch.sources; ++lane)
+      for (std::uint32_t lane = 0; lane < group.sources; ++lane)
         pairs += patch.distance[row * kernel.lanes + lane] < parameters.cutoff;
   }
   return pairs;

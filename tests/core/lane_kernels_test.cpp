@@ -93,7 +93,7 @@ double largest_distance_error(const FlatMesh& shape, const LaneKernel& kernel, d
   const MeshArrays& arrays = mesh.arrays();
   const auto ring = make_rings(arrays, mesh.job());
   const SourceGroups groups = group_sources(arrays, kernel.lanes, mesh.job());
-  const LaneMesh lanes{arrays, ring, arrays.position, mesh.normal()};
+  const LaneMesh lanes{arrays, ring, groups, arrays.position, mesh.normal()};
   PatchBuilder builder(lanes, kernel.lanes);
   const auto frames = triangle_frames(arrays, arrays.position, mesh.unit(), mesh.job());
   GeodesicMarch<double> march(arrays, frames, 1e-9);
@@ -101,27 +101,24 @@ double largest_distance_error(const FlatMesh& shape, const LaneKernel& kernel, d
   parameters.cutoff = static_cast<float>(cutoff);
   parameters.limit = static_cast<float>(cutoff + march_margin);
   parameters.tolerance = 4e-6f;
+  const LanePoll no_poll = [](void*) {};
   double largest = 0;
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    const Index* const sources = groups.member.data() + groups.begin[g];
-    const Patch& patch = builder.build(sources, groups.begin[g + 1] - groups.begin[g], cutoff + march_margin);
-    kernel.march(
-        patch, parameters, [](void*) {}, nullptr);
-    for (std::uint32_t lane = 0; lane < patch.sources; ++lane) {
-      march.run(sources[lane], cutoff + march_margin, [](std::size_t) {});
+  const std::vector<Index> patch_begin = patch_groups(groups, arrays);
+  for (std::size_t p = 0, g = 0; g < groups.size(); ++g) {
+    if (g == patch_begin[p + 1]) ++p;
+    const Patch& patch = builder.build(patch_begin[p], patch_begin[p + 1], cutoff + march_margin);
+    kernel.shape(patch, no_poll, nullptr);
+    const PatchGroup& group = builder.group(g);
+    kernel.march(patch, group, parameters, no_poll, nullptr);
+    for (std::uint32_t lane = 0; lane < group.sources; ++lane) {
+      EXPECT_EQ(builder.vertex(group.source_row[lane]), groups.member[groups.begin[g] + lane]);
+      march.run(groups.member[groups.begin[g] + lane], cutoff + march_margin, [](std::size_t) {});
       std::vector<bool> found(arrays.size(), false);
-      for (std::uint32_t row = 0; row < patch.rows; ++row) {
-        // Rows do not tell which vertex they are: found by place.
-        Vec3 place;
-        for (int axis = 0; axis < 3; ++axis)
-          place[axis] = (patch.place[axis][row] - patch.place[axis][patch.source_row[0]]) * mesh.unit() +
-                        arrays.position[sources[0]][axis];
-        std::size_t v = 0;
-        for (std::size_t w = 0; w < arrays.size(); ++w)
-          if ((arrays.position[w] - place).squaredNorm() < (arrays.position[v] - place).squaredNorm()) v = w;
+      for (std::uint32_t rank = 0; rank < group.rows; ++rank) {
+        const Index v = builder.vertex(group.row_at[rank]);
         found[v] = true;
-        const double expected = march.distance(static_cast<Index>(v));
-        const double distance = patch.distance[row * kernel.lanes + lane];
+        const double expected = march.distance(v);
+        const double distance = patch.distance[group.row_at[rank] * kernel.lanes + lane];
         if (expected < cutoff || distance < cutoff) largest = std::max(largest, std::abs(distance - expected));
       }
       for (const Index v : march.reached())

@@ -39,31 +39,47 @@ LanePass::LanePass() : LanePass(*supported_lane_kernels().front()) {}
 LanePass::LanePass(const LaneKernel& kernel) : kernel_(kernel) {}
 
 std::vector<Vec3> LanePass::run(const PassInput& in) {
-  if (!kept_) kept_ = Kept{make_rings(in.mesh, in.job), group_sources(in.mesh, kernel_.lanes, in.job)};
+  if (!kept_) {
+    kept_ = Kept{make_rings(in.mesh, in.job), group_sources(in.mesh, kernel_.lanes, in.job), {}};
+    kept_->patch_begin = patch_groups(kept_->groups, in.mesh);
+  }
   const SourceGroups& groups = kept_->groups;
-  const LaneMesh lanes{in.mesh, kept_->ring, in.position, in.normal};
+  const std::vector<Index>& patch_begin = kept_->patch_begin;
+  const LaneMesh lanes{in.mesh, kept_->ring, groups, in.position, in.normal};
   const LaneParameters constants = lane_parameters(in.parameters);
   const double unit = in.mesh.topology.average_edge_length;
   const double reach = in.parameters.rho * in.parameters.sigma_c + march_margin;
   const LanePoll poll = [](void* chunks) { static_cast<Chunks*>(chunks)->poll(); };
+  const auto moves = [&](std::size_t g) {
+    return std::any_of(groups.member.begin() + groups.begin[g], groups.member.begin() + groups.begin[g + 1],
+                       [&](Index v) { return in.movable[v] != 0; });
+  };
   std::vector<Vec3> moved = in.position;
-  in.job.parallel(groups.size(), 8, [&](Chunks& chunks) {
-    PatchBuilder builder(lanes, kernel_.lanes);
+  const auto smooth_group = [&](const Patch& patch, const PatchGroup& group, Index g, Chunks& chunks) {
     float offset[most_lanes];
+    kernel_.march(patch, group, constants, poll, &chunks);
+    chunks.poll();
+    kernel_.offsets(patch, group, constants, offset);
+    for (std::uint32_t lane = 0; lane < group.sources; ++lane) {
+      const Index v = groups.member[groups.begin[g] + lane];
+      if (in.movable[v]) moved[v] -= in.normal[v] * (static_cast<double>(offset[lane]) * unit);
+    }
+  };
+  in.job.parallel(patch_begin.size() - 1, 2, [&](Chunks& chunks) {
+    PatchBuilder builder(lanes, kernel_.lanes);
     while (chunks.next())
-      for (std::size_t g = chunks.begin(); g < chunks.end(); ++g) {
-        const Index* sources = groups.member.data() + groups.begin[g];
-        const std::uint32_t count = groups.begin[g + 1] - groups.begin[g];
-        const auto moves = [&](Index v) { return in.movable[v] != 0; };
-        if (std::none_of(sources, sources + count, moves)) continue;
-        const Patch& patch = builder.build(sources, count, reach);
-        chunks.poll();  // a patch may be the whole mesh
-        kernel_.march(patch, constants, poll, &chunks);
-        chunks.poll();
-        kernel_.offsets(patch, constants, offset);
-        for (std::uint32_t lane = 0; lane < count; ++lane)
-          if (moves(sources[lane]))
-            moved[sources[lane]] -= in.normal[sources[lane]] * (static_cast<double>(offset[lane]) * unit);
+      for (std::size_t p = chunks.begin(); p < chunks.end(); ++p) {
+        const Patch* patch = nullptr;
+        for (Index g = patch_begin[p]; g < patch_begin[p + 1]; ++g) {
+          if (!moves(g)) continue;
+          chunks.poll();  // a patch may be the whole mesh
+          if (patch == nullptr) {
+            patch = &builder.build(patch_begin[p], patch_begin[p + 1], reach);
+            chunks.poll();
+            kernel_.shape(*patch, poll, &chunks);
+          }
+          smooth_group(*patch, builder.group(g), g, chunks);
+        }
       }
   });
   return moved;

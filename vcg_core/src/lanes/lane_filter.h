@@ -11,7 +11,7 @@
 namespace vcg_core::detail {
 
 /// The paper's filter in single precision, for many vertices at once: the fast twin of paper_pass. Distances and
-/// weights are computed in floats relative to the middle of each group of sources, the new position in double. Keeps
+/// weights are computed in floats relative to the middle of a few groups of sources, the new position in double. Keeps
 /// from pass to pass what depends on the connectivity and on which vertices may move.
 class LanePass {
  public:
@@ -24,6 +24,7 @@ class LanePass {
   struct Kept {
     std::vector<RingFace> ring;
     SourceGroups groups;
+    std::vector<Index> patch_begin;  ///< groups by patch
   };
 
   const LaneKernel& kernel_;

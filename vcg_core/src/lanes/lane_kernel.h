@@ -52,8 +52,9 @@ struct Nearest {
 /// label-correcting, with errors mended before they spread.
 class March {
  public:
-  March(const Patch& patch, const LaneParameters& parameters, LanePoll poll, void* context)
+  March(const Patch& patch, const PatchGroup& group, const LaneParameters& parameters, LanePoll poll, void* context)
       : p_(patch),
+        g_(group),
         limit_(Simd::set(parameters.limit)),
         tolerance_(Simd::set(parameters.tolerance)),
         poll_(poll),
@@ -67,28 +68,29 @@ class March {
 
  private:
   void start() {
+    // All of them: rows that are far from this group may be far from the front, and still be asked for.
     for (std::uint32_t row = 0; row < p_.rows; ++row) Simd::store(at(row), Simd::set(unreached));
     for (std::uint32_t row = 0; row < p_.rows; ++row) p_.pending[row] = 0;
-    for (std::uint32_t word = 0; word <= p_.rows / 64; ++word) p_.dirty[word] = 0;
-    for (std::uint32_t lane = 0; lane < p_.sources; ++lane) at(p_.source_row[lane])[lane] = 0;
+    for (std::uint32_t word = 0; word <= g_.rows / 64; ++word) g_.dirty[word] = 0;
+    for (std::uint32_t lane = 0; lane < g_.sources; ++lane) at(g_.source_row[lane])[lane] = 0;
   }
 
   /// Among the sources no order suits all lanes: the rows there are swept up and down until nothing improves.
   void settle_inner() {
-    front_ = p_.inner_rows;
-    for (std::uint32_t lane = 0; lane < p_.sources; ++lane) pass_on(p_.source_row[lane]);
+    front_ = g_.inner_rows;
+    for (std::uint32_t lane = 0; lane < g_.sources; ++lane) pass_on(g_.source_row[lane]);
     while (any_inner_dirty()) {
-      for (std::uint32_t row = p_.inner_rows; row-- > 0;)
-        if (take_dirty(row)) renew(row);
-      for (std::uint32_t row = 0; row < p_.inner_rows; ++row)
-        if (take_dirty(row)) renew(row);
+      for (std::uint32_t rank = g_.inner_rows; rank-- > 0;)
+        if (take_dirty(rank)) renew(g_.row_at[rank]);
+      for (std::uint32_t rank = 0; rank < g_.inner_rows; ++rank)
+        if (take_dirty(rank)) renew(g_.row_at[rank]);
     }
-    lowest_dirty_ = p_.inner_rows;
+    lowest_dirty_ = g_.inner_rows;
   }
 
   bool any_inner_dirty() const {
     std::uint64_t any = 0;
-    for (std::uint32_t word = 0; word <= p_.inner_rows / 64; ++word) any |= p_.dirty[word];
+    for (std::uint32_t word = 0; word <= g_.inner_rows / 64; ++word) any |= g_.dirty[word];
     return any != 0;
   }
 
@@ -96,22 +98,37 @@ class March {
     constexpr float lag = 0.3f;
     constexpr std::uint32_t stride = 4;
     std::uint32_t settled = 0;
-    for (std::uint32_t row = p_.inner_rows; row < p_.rows; ++row) {
-      front_ = row + 1;
-      improve(row, p_.ready_faces[row]);
-      check_back(row);
-      if (row % stride != 0) continue;
-      const float behind = __builtin_sqrtf(p_.squared_radius[row]) - lag;
-      while (settled < row && p_.squared_radius[settled] < behind * behind) ++settled;
+    for (std::uint32_t rank = g_.inner_rows; rank < g_.rows; ++rank) {
+      const std::uint32_t row = g_.row_at[rank];
+      const std::uint32_t faces = faces_behind(row, rank);
+      front_ = rank + 1;
+      improve(row, faces);
+      check_back(row, faces);
+      if (rank % stride != 0) continue;
+      const float behind = __builtin_sqrtf(g_.squared_radius[rank]) - lag;
+      while (settled < rank && g_.squared_radius[settled] < behind * behind) ++settled;
       clean_below(settled);
     }
-    clean_below(p_.rows);
+    clean_below(g_.rows);
+  }
+
+  /// The bits of the faces of a row of which the two other vertices come before `rank`.
+  std::uint32_t faces_behind(std::uint32_t row, std::uint32_t rank) const {
+    const std::uint32_t begin = p_.face_begin[row];
+    const std::uint32_t end = p_.face_begin[row + 1];
+    std::uint32_t faces = 0;
+    for (std::uint32_t f = begin; f < end; ++f) {
+      const bool behind = (g_.rank_of[p_.row_1[f]] < rank) & (g_.rank_of[p_.row_2[f]] < rank);
+      const std::uint32_t slot = f - begin;
+      faces |= static_cast<std::uint32_t>(behind) << (slot < last_slot ? slot : last_slot);
+    }
+    return faces;
   }
 
   /// The faces by which the front has reached a row may also be a way to their other vertices, in some lanes.
-  void check_back(std::uint32_t row) {
+  void check_back(std::uint32_t row, std::uint32_t faces) {
     const std::uint32_t begin = p_.face_begin[row];
-    for (std::uint32_t faces = p_.ready_faces[row]; faces != 0; faces &= faces - 1) {
+    for (; faces != 0; faces &= faces - 1) {
       const std::uint32_t slot = static_cast<std::uint32_t>(__builtin_ctz(faces));
       if (slot == last_slot) return pass_on(row);
       check(p_.row_1[begin + slot], p_.marks[begin + slot].of_row_1);
@@ -134,14 +151,14 @@ class March {
     if (improve(row, mark)) pass_on(row);
   }
 
-  /// Computes dirty rows below `end`, always the lowest one next, until there are none.
+  /// Computes dirty rows of ranks below `end`, always the lowest one next, until there are none.
   void clean_below(std::uint32_t end) {
     while (true) {
-      const std::uint32_t row = next_dirty(end);
-      if (row >= end) break;
-      lowest_dirty_ = row;
-      take_dirty(row);
-      renew(row);
+      const std::uint32_t rank = next_dirty(end);
+      if (rank >= end) break;
+      lowest_dirty_ = rank;
+      take_dirty(rank);
+      renew(g_.row_at[rank]);
     }
     if (lowest_dirty_ < end) lowest_dirty_ = end;
   }
@@ -149,10 +166,10 @@ class March {
   std::uint32_t next_dirty(std::uint32_t end) const {
     if (lowest_dirty_ >= end) return end;
     std::uint32_t word = lowest_dirty_ / 64;
-    std::uint64_t bits = p_.dirty[word] & (~std::uint64_t(0) << (lowest_dirty_ % 64));
+    std::uint64_t bits = g_.dirty[word] & (~std::uint64_t(0) << (lowest_dirty_ % 64));
     while (bits == 0) {
       if (++word > (end - 1) / 64) return end;
-      bits = p_.dirty[word];
+      bits = g_.dirty[word];
     }
     return word * 64 + static_cast<std::uint32_t>(__builtin_ctzll(bits));
   }
@@ -185,32 +202,35 @@ class March {
     for (std::uint32_t f = p_.face_begin[row]; f < p_.face_begin[row + 1]; ++f) {
       const std::uint32_t row_1 = p_.row_1[f];
       const std::uint32_t row_2 = p_.row_2[f];
-      if (row_1 >= front_ || row_2 >= front_) continue;
+      const std::uint32_t rank_1 = g_.rank_of[row_1];
+      const std::uint32_t rank_2 = g_.rank_of[row_2];
+      if (rank_1 >= front_ || rank_2 >= front_) continue;
       p_.pending[row_1] |= p_.marks[f].of_row_1;
       p_.pending[row_2] |= p_.marks[f].of_row_2;
-      make_dirty(row_1);
-      make_dirty(row_2);
-      const std::uint32_t lower = row_1 < row_2 ? row_1 : row_2;
+      make_dirty(rank_1);
+      make_dirty(rank_2);
+      const std::uint32_t lower = rank_1 < rank_2 ? rank_1 : rank_2;
       if (lower < lowest_dirty_) lowest_dirty_ = lower;
     }
   }
 
   float* at(std::uint32_t row) const { return p_.distance + row * Simd::lanes; }
-  void make_dirty(std::uint32_t row) { p_.dirty[row / 64] |= std::uint64_t(1) << (row % 64); }
-  bool take_dirty(std::uint32_t row) {
-    const std::uint64_t bit = std::uint64_t(1) << (row % 64);
-    const bool was = (p_.dirty[row / 64] & bit) != 0;
-    p_.dirty[row / 64] &= ~bit;
+  void make_dirty(std::uint32_t rank) { g_.dirty[rank / 64] |= std::uint64_t(1) << (rank % 64); }
+  bool take_dirty(std::uint32_t rank) {
+    const std::uint64_t bit = std::uint64_t(1) << (rank % 64);
+    const bool was = (g_.dirty[rank / 64] & bit) != 0;
+    g_.dirty[rank / 64] &= ~bit;
     return was;
   }
 
   const Patch& p_;
+  const PatchGroup& g_;
   Vector limit_;
   Vector tolerance_;
   LanePoll poll_;
   void* context_;
-  std::uint32_t front_ = 0;
-  std::uint32_t lowest_dirty_ = 0;
+  std::uint32_t front_ = 0;         ///< ranks below have been reached
+  std::uint32_t lowest_dirty_ = 0;  ///< no rank below is dirty
   std::uint32_t visits_ = 0;
 };
 
@@ -289,13 +309,13 @@ Vector3 at_row(const float* const columns[3], std::uint32_t row) {
 }
 
 /// Section 6's sums for all lanes: rows are the neighbours v_j, lanes the vertices v_i.
-void lane_offsets(const Patch& patch, const LaneParameters& parameters, float* offset) {
+void lane_offsets(const Patch& patch, const PatchGroup& group, const LaneParameters& parameters, float* offset) {
   alignas(64) float place[3][Simd::lanes] = {};
   alignas(64) float normal[3][Simd::lanes] = {};
-  for (std::uint32_t lane = 0; lane < patch.sources; ++lane)
+  for (std::uint32_t lane = 0; lane < group.sources; ++lane)
     for (int axis = 0; axis < 3; ++axis) {
-      place[axis][lane] = patch.place[axis][patch.source_row[lane]];
-      normal[axis][lane] = patch.normal[axis][patch.source_row[lane]];
+      place[axis][lane] = patch.place[axis][group.source_row[lane]];
+      normal[axis][lane] = patch.normal[axis][group.source_row[lane]];
     }
   const Vector3 v_i{Simd::load(place[0]), Simd::load(place[1]), Simd::load(place[2])};
   const Vector3 n_i{Simd::load(normal[0]), Simd::load(normal[1]), Simd::load(normal[2])};
@@ -305,7 +325,8 @@ void lane_offsets(const Patch& patch, const LaneParameters& parameters, float* o
   const Vector normals = Simd::set(parameters.normals);
   Vector sum = Simd::set(0);
   Vector sum_of_weights = Simd::set(0);
-  for (std::uint32_t row = 0; row < patch.rows; ++row) {
+  for (std::uint32_t rank = 0; rank < group.rows; ++rank) {
+    const std::uint32_t row = group.row_at[rank];
     const Mask inside = Simd::less(Simd::load(patch.distance + row * Simd::lanes), cutoff);
     if (!Simd::any(inside)) continue;
     if (patch.normal[0][row] == 0 && patch.normal[1][row] == 0 && patch.normal[2][row] == 0) continue;
@@ -322,16 +343,20 @@ void lane_offsets(const Patch& patch, const LaneParameters& parameters, float* o
   }
   alignas(64) float result[Simd::lanes];
   Simd::store(result, Simd::div(sum, Simd::max(sum_of_weights, Simd::set(1e-30f))));
-  for (std::uint32_t lane = 0; lane < patch.sources; ++lane) offset[lane] = result[lane];
+  for (std::uint32_t lane = 0; lane < group.sources; ++lane) offset[lane] = result[lane];
 }
 
-void lane_march(const Patch& patch, const LaneParameters& parameters, LanePoll poll, void* context) {
+void lane_shape(const Patch& patch, LanePoll poll, void* context) {
   // Rounded up to whole vectors: the builder leaves room behind the last face.
   for (std::uint32_t f = 0; f < patch.face_begin[patch.rows]; f += Simd::lanes) {
     if (f % 65536 == 0) poll(context);
     shape_faces(patch, f);
   }
-  March(patch, parameters, poll, context).run();
+}
+
+void lane_march(const Patch& patch, const PatchGroup& group, const LaneParameters& parameters, LanePoll poll,
+                void* context) {
+  March(patch, group, parameters, poll, context).run();
 }
 
 }  // namespace

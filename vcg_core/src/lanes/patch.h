@@ -27,32 +27,44 @@ struct FaceShape {
   float unused;  ///< makes it half a cache line
 };
 
-/// What a group of neighbouring sources, one a lane, needs to know of the mesh: the vertices around them ("rows"), by
-/// rising distance from the group's middle, and their faces. The layout is plain so that the kernels, which are
-/// compiled for other processors than the rest, share no inline code with it.
+/// What a few groups of neighbouring sources need to know of the mesh: the vertices around them ("rows") and their
+/// faces. The layout is plain so that the kernels, which are compiled for other processors than the rest, share no
+/// inline code with it.
 struct Patch {
   std::uint32_t rows;
-  std::uint32_t inner_rows;          ///< the first rows: as near to the middle as the sources themselves
-  const float* squared_radius;       ///< by row: squared distance from the middle, in |e|^2
-  const float* place[3];             ///< by row: x, y, z relative to the middle, in |e|
-  const float* normal[3];            ///< by row: unit normal, zero if undefined
-  const std::uint32_t* face_begin;   ///< rows + 1 offsets by face; a face's bit is its place behind the row's offset
-  const std::uint32_t* ready_faces;  ///< by row: the bits of the faces that lie behind the front when it gets there
+  const float* place[3];            ///< by row: x, y, z relative to the patch's middle, in |e|
+  const float* normal[3];           ///< by row: unit normal, zero if undefined
+  const std::uint32_t* face_begin;  ///< rows + 1 offsets by face; a face's bit is its place behind the row's offset
   // By face as seen from a row, its apex v_i. If only one of the two other vertices lies in the patch, both rows are
   // that one's.
   const std::uint32_t* apex;   ///< row of v_i
   const std::uint32_t* row_1;  ///< row of v_{i+1}
   const std::uint32_t* row_2;  ///< row of v_{i+2}
   const FaceMarks* marks;
-  const std::uint32_t* source_row;  ///< by lane
-  std::uint32_t sources;            ///< lanes in use
+
+  FaceShape* shape;  ///< by face: what the kernel's `shape` leaves
 
   // Work memory of the kernel.
-  FaceShape* shape;        ///< by face
   float* distance;         ///< rows x lanes, aligned to 64 bytes: what the march leaves, in |e|
   std::uint32_t* pending;  ///< by row: bits of the faces to be looked at again, as a vertex of theirs improved
-  std::uint64_t* dirty;    ///< a bit a row: it has pending faces
 };
+
+/// A group of sources on a patch, one a lane, and the rows near them: by rising distance from the group's middle, which
+/// is their rank.
+struct PatchGroup {
+  std::uint32_t sources;            ///< lanes in use
+  const std::uint32_t* source_row;  ///< by lane
+  std::uint32_t rows;               ///< how many rows of the patch are near
+  std::uint32_t inner_rows;         ///< of the first ranks: as near to the middle as the sources themselves
+  const std::uint32_t* row_at;      ///< by rank
+  const std::uint32_t* rank_of;     ///< by row of the patch; far_away if it is not near
+  const float* squared_radius;      ///< by rank: squared distance from the middle, in |e|^2
+
+  std::uint64_t* dirty;  ///< work memory of the kernel; a bit a rank: its row has pending faces
+};
+
+/// Rank of rows that are not near a group.
+constexpr std::uint32_t far_away = 0xffffffff;
 
 /// The filter's constants, in |e|.
 struct LaneParameters {
@@ -68,17 +80,23 @@ struct LaneParameters {
 /// Called now and then during long work; may throw.
 using LanePoll = void (*)(void* context);
 
-/// Marches from all sources of the patch at once and leaves the distances in patch.distance.
-using LaneMarch = void (*)(const Patch& patch, const LaneParameters& parameters, LanePoll poll, void* context);
+/// Computes the shapes of all faces of a patch.
+using LaneShape = void (*)(const Patch& patch, LanePoll poll, void* context);
+
+/// Marches from all sources of the group at once and leaves the distances in patch.distance.
+using LaneMarch = void (*)(const Patch& patch, const PatchGroup& group, const LaneParameters& parameters, LanePoll poll,
+                           void* context);
 
 /// Section 6's offset of each lane's source, in |e|, from the distances that the march left.
-using LaneOffsets = void (*)(const Patch& patch, const LaneParameters& parameters, float* offset);
+using LaneOffsets = void (*)(const Patch& patch, const PatchGroup& group, const LaneParameters& parameters,
+                             float* offset);
 
 /// A kernel compiled for one kind of processor.
 struct LaneKernel {
   const char* name;
   std::uint32_t lanes;
   bool (*supported)();
+  LaneShape shape;
   LaneMarch march;
   LaneOffsets offsets;
 };

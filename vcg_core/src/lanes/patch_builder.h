@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <vector>
 
+#include "group_order.h"
 #include "patch.h"
 #include "ring.h"
+#include "source_groups.h"
 
 namespace vcg_core::detail {
 
@@ -12,17 +15,22 @@ namespace vcg_core::detail {
 struct LaneMesh {
   const MeshArrays& mesh;
   const std::vector<RingFace>& ring;
+  const SourceGroups& groups;
   const std::vector<Vec3>& position;  ///< in units of MeshArrays::position
   const std::vector<Vec3>& normal;
 };
 
-/// Cuts out of the mesh what a group of sources needs. One a thread; its memory is reused from patch to patch.
+/// Cuts out of the mesh what a few groups of sources need. One a thread; its memory is reused from patch to patch.
 class PatchBuilder {
  public:
   PatchBuilder(const LaneMesh& lanes, std::uint32_t lane_count);
 
+  /// The patch of the groups [first, last), see patch_groups.
   /// @param reach  distance from a source, in |e|, up to which vertices are wanted
-  const Patch& build(const Index* sources, std::uint32_t count, double reach);
+  const Patch& build(std::size_t first, std::size_t last, double reach);
+
+  /// One of the patch's groups; valid until the next.
+  const PatchGroup& group(std::size_t g);
 
   /// The mesh's vertex at a row of the last patch.
   Index vertex(std::uint32_t row) const { return rows_[row].vertex; }
@@ -31,17 +39,16 @@ class PatchBuilder {
   struct Row {
     Index vertex;
     float place[3];
-    float squared_radius;
   };
   static constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
   static constexpr std::uint32_t outside = unknown - 1;
 
   void forget_last();
-  void place_sources(const Index* sources, std::uint32_t count);
-  void collect_rows(const Index* sources, std::uint32_t count, double reach);
+  void place_sources();
+  GroupBall ball_around(const Row* source, std::size_t count) const;
+  void collect_rows();
   Row row_at(Index vertex) const;
   void consider(Index vertex);
-  void sort_rows();
   void place_rows();
   void place_faces();
   void add_face(std::uint32_t row, std::uint32_t slot, const RingFace& ring_face);
@@ -51,28 +58,26 @@ class PatchBuilder {
   std::uint32_t lane_count_;
   double per_unit_;
   Patch patch_{};
+  std::size_t first_group_ = 0;
+  std::size_t last_group_ = 0;
+  float reach_ = 0;
   Vec3 middle_;
-  float source_place_[3][most_lanes];  ///< unused lanes repeat the first source
-  float squared_reach_;
-  std::vector<std::uint32_t> row_of_;  ///< by vertex of the mesh: its row in the patch, or `unknown`, or `outside`
-  std::vector<Row> found_;
+  std::vector<GroupBall> ball_;  ///< by group of the patch
+  GroupOrder order_;
+  std::vector<std::uint32_t> source_row_;  ///< by source of the patch
+  std::vector<std::uint32_t> row_of_;      ///< by vertex of the mesh: its row, or `unknown`, or `outside`
+  std::vector<Row> rows_;                  ///< sources first, then as they are found
   std::vector<Index> found_outside_;
-  std::vector<Row> rows_;
-  std::vector<std::uint32_t> bucket_begin_;
-  std::vector<float> squared_radius_;
   std::vector<float> place_[3];
   std::vector<float> normal_[3];
   std::vector<std::uint32_t> face_begin_;
-  std::vector<std::uint32_t> ready_faces_;
   std::vector<std::uint32_t> apex_;
   std::vector<std::uint32_t> row_1_;
   std::vector<std::uint32_t> row_2_;
   std::vector<FaceMarks> marks_;
-  std::uint32_t source_row_[most_lanes];
   std::vector<FaceShape> shape_;
   std::vector<float> distance_;
   std::vector<std::uint32_t> pending_;
-  std::vector<std::uint64_t> dirty_;
 };
 
 }  // namespace vcg_core::detail

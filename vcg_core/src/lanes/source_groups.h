@@ -18,4 +18,8 @@ struct SourceGroups {
 /// Groups the vertices that have faces, growing each group along the mesh from the lowest vertex left.
 SourceGroups group_sources(const MeshArrays& mesh, std::uint32_t lanes, Job& job);
 
+/// Runs of groups that lie close together and so need nearly the same vertices, one patch for each: run p is the groups
+/// begin[p] to begin[p + 1]. Close, as a patch's places are single precision relative to its middle.
+std::vector<Index> patch_groups(const SourceGroups& groups, const MeshArrays& mesh);
+
 }  // namespace vcg_core::detail
