@@ -4,6 +4,7 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <tuple>
 #include <utility>
 
 #include <mesh_tools/noise.h>
@@ -23,10 +24,10 @@ namespace {
 
 const vcg_core::Progress silent;
 
-mesh_tools::Mesh make_noisy_part(std::size_t vertices, Order order) {
-  mesh_tools::Mesh mesh = mesh_tools::make_shape("cad_part", vertices);
-  mesh_tools::add_noise(mesh, 0.2, 1, mesh_tools::NoiseDirection::normal);
-  if (order == Order::as_made) return mesh;
+mesh_tools::Mesh make_noisy_mesh(const Kind& kind) {
+  mesh_tools::Mesh mesh = mesh_tools::make_shape(kind.shape, kind.vertices);
+  mesh_tools::add_noise(mesh, kind.noise, 1, mesh_tools::NoiseDirection::normal);
+  if (kind.order == Order::as_made) return mesh;
   std::vector<std::size_t> to(mesh.vert.size());
   std::iota(to.begin(), to.end(), std::size_t(0));
   std::shuffle(to.begin(), to.end(), std::mt19937(1));
@@ -45,24 +46,27 @@ mesh_tools::Mesh make_noisy_part(std::size_t vertices, Order order) {
 
 }  // namespace
 
-const mesh_tools::Mesh& noisy_part(std::size_t vertices, Order order) {
-  static std::map<std::pair<std::size_t, Order>, mesh_tools::Mesh> kept;
-  const auto key = std::make_pair(vertices, order);
-  if (kept.count(key) == 0) kept.emplace(key, make_noisy_part(vertices, order));
-  return kept.at(key);
+bool Kind::operator<(const Kind& other) const {
+  return std::tie(vertices, order, shape, noise) < std::tie(other.vertices, other.order, other.shape, other.noise);
+}
+
+const mesh_tools::Mesh& noisy_mesh(const Kind& kind) {
+  static std::map<Kind, mesh_tools::Mesh> kept;
+  const auto found = kept.find(kind);
+  return found != kept.end() ? found->second : kept.emplace(kind, make_noisy_mesh(kind)).first->second;
 }
 
 Job single_thread() { return Job(silent, 1); }
 
-const Arrays& noisy_part_arrays(std::size_t vertices) {
-  static std::map<std::size_t, Arrays> kept;
-  const auto found = kept.find(vertices);
+const Arrays& noisy_arrays(const Kind& kind) {
+  static std::map<Kind, Arrays> kept;
+  const auto found = kept.find(kind);
   if (found != kept.end()) return found->second;
   Job job = single_thread();
-  Arrays arrays{read_mesh(noisy_part(vertices), job), {}, {}};
+  Arrays arrays{read_mesh(noisy_mesh(kind), job), {}, {}};
   arrays.normal = vertex_normals(arrays.mesh, arrays.mesh.position, job);
   arrays.movable.assign(arrays.mesh.size(), 1);
-  return kept.emplace(vertices, std::move(arrays)).first->second;
+  return kept.emplace(kind, std::move(arrays)).first->second;
 }
 
 std::size_t count_pairs(const Arrays& arrays, double rho) {

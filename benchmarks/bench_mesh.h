@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <mesh_tools/mesh.h>
@@ -13,8 +14,18 @@ namespace bench {
 /// How the vertices of a benchmark's mesh are ordered before the library sees them.
 enum class Order { as_made, shuffled };
 
-/// A generated machine part with noise of 0.2 |e|, as the command line makes it; made once and kept.
-const mesh_tools::Mesh& noisy_part(std::size_t vertices, Order order = Order::as_made);
+/// What a benchmark works on: a generated shape with noise along its normals, as the command line makes it.
+struct Kind {
+  std::size_t vertices = 35000;
+  Order order = Order::as_made;
+  std::string shape = "cad_part";
+  double noise = 0.2;  ///< in |e|
+
+  bool operator<(const Kind& other) const;
+};
+
+/// Made once and kept.
+const mesh_tools::Mesh& noisy_mesh(const Kind& kind);
 
 /// The same as the algorithms see it.
 struct Arrays {
@@ -22,7 +33,7 @@ struct Arrays {
   std::vector<vcg_core::detail::Vec3> normal;
   std::vector<std::uint8_t> movable;
 };
-const Arrays& noisy_part_arrays(std::size_t vertices);
+const Arrays& noisy_arrays(const Kind& kind);
 
 /// Number of pairs (source, vertex nearer than rho), with every vertex a source; rho in |e|.
 std::size_t count_pairs(const Arrays& arrays, double rho);

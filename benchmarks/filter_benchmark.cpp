@@ -15,8 +15,6 @@ namespace {
 using namespace vcg_core;
 using namespace vcg_core::detail;
 
-constexpr std::size_t scan_vertices = 35000;
-
 SmoothingParameters parameters_for(double rho) {
   SmoothingParameters parameters;
   parameters.sigma_c = rho / parameters.rho;
@@ -31,7 +29,7 @@ void count(benchmark::State& state, std::size_t pairs) {
 
 /// Arguments: rho in |e|; the kernel's place in supported_lane_kernels().
 void lanes(benchmark::State& state) {
-  const bench::Arrays& arrays = bench::noisy_part_arrays(scan_vertices);
+  const bench::Arrays& arrays = bench::noisy_arrays({});
   const double rho = static_cast<double>(state.range(0));
   const auto kernels = supported_lane_kernels();
   if (static_cast<std::size_t>(state.range(1)) >= kernels.size()) {
@@ -53,7 +51,7 @@ BENCHMARK(lanes)->ArgsProduct({{4, 8, 12}, {0, 1, 2}})->Unit(benchmark::kMillise
 
 /// A second pass: rings and groups are kept from the first.
 void second_pass(benchmark::State& state) {
-  const bench::Arrays& arrays = bench::noisy_part_arrays(scan_vertices);
+  const bench::Arrays& arrays = bench::noisy_arrays({});
   const double rho = static_cast<double>(state.range(0));
   const SmoothingParameters parameters = parameters_for(rho);
   Job job = bench::single_thread();
@@ -67,7 +65,7 @@ BENCHMARK(second_pass)->Arg(4)->Unit(benchmark::kMillisecond);
 
 /// The scalar path in double precision.
 void reference(benchmark::State& state) {
-  const bench::Arrays& arrays = bench::noisy_part_arrays(scan_vertices);
+  const bench::Arrays& arrays = bench::noisy_arrays({});
   const double rho = static_cast<double>(state.range(0));
   const SmoothingParameters parameters = parameters_for(rho);
   Job job = bench::single_thread();

@@ -20,8 +20,6 @@ namespace {
 using vcg_core::detail::Index;
 using vcg_core::detail::MeshArrays;
 
-constexpr std::size_t scan_vertices = 35000;
-
 void count(benchmark::State& state, std::size_t pairs) {
   state.counters["pairs"] = static_cast<double>(pairs);
   state.counters["pairs_per_second"] =
@@ -42,7 +40,7 @@ struct Cloud {
 /// nanoflann's radius query: Euclidean balls of the same radius.
 void nanoflann_radius(benchmark::State& state) {
   using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Cloud>, Cloud, 3>;
-  const bench::Arrays& arrays = bench::noisy_part_arrays(scan_vertices);
+  const bench::Arrays& arrays = bench::noisy_arrays({});
   const auto rho = static_cast<float>(state.range(0));
   Cloud cloud;
   for (const auto& p : arrays.mesh.position)
@@ -74,7 +72,7 @@ class PeerMesh : public vcg::tri::TriMesh<std::vector<Vertex>, std::vector<Face>
 /// vcglib's Geodesic, used for each vertex.
 void vcglib_geodesic(benchmark::State& state) {
   constexpr std::size_t stride = 50;
-  const bench::Arrays& arrays = bench::noisy_part_arrays(scan_vertices);
+  const bench::Arrays& arrays = bench::noisy_arrays({});
   PeerMesh mesh;
   auto v = vcg::tri::Allocator<PeerMesh>::AddVertices(mesh, arrays.mesh.size());
   for (const auto& p : arrays.mesh.position) {
@@ -151,7 +149,7 @@ class EdgeDijkstra {
 
 void edge_dijkstra(benchmark::State& state) {
   constexpr std::size_t stride = 4;
-  const bench::Arrays& arrays = bench::noisy_part_arrays(scan_vertices);
+  const bench::Arrays& arrays = bench::noisy_arrays({});
   EdgeDijkstra dijkstra(arrays.mesh);
   std::size_t pairs = 0;
   for (auto _ : state) {

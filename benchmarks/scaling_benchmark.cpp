@@ -31,6 +31,8 @@ void smooth_whole(benchmark::State& state, const mesh_tools::Mesh& mesh, const S
   per_vertex(state, mesh.vert.size());
 }
 
+std::size_t vertices_of(const benchmark::State& state) { return static_cast<std::size_t>(state.range(0)); }
+
 SmoothingParameters with_threads(int threads) {
   SmoothingParameters parameters;
   parameters.threads = threads;
@@ -38,24 +40,24 @@ SmoothingParameters with_threads(int threads) {
 }
 
 /// Argument: vertices.
-void size(benchmark::State& state) { smooth_whole(state, bench::noisy_part(state.range(0)), with_threads(1)); }
+void size(benchmark::State& state) { smooth_whole(state, bench::noisy_mesh({vertices_of(state)}), with_threads(1)); }
 BENCHMARK(size)->Arg(10000)->Arg(100000)->Arg(1000000)->Arg(4000000)->Unit(benchmark::kMillisecond);
 
 void shuffled(benchmark::State& state) {
-  smooth_whole(state, bench::noisy_part(state.range(0), bench::Order::shuffled), with_threads(1));
+  smooth_whole(state, bench::noisy_mesh({vertices_of(state), bench::Order::shuffled}), with_threads(1));
 }
 BENCHMARK(shuffled)->Arg(1000000)->Unit(benchmark::kMillisecond);
 
 /// Argument: threads. In wall time.
 void threads(benchmark::State& state) {
-  smooth_whole(state, bench::noisy_part(1000000), with_threads(static_cast<int>(state.range(0))));
+  smooth_whole(state, bench::noisy_mesh({1000000}), with_threads(static_cast<int>(state.range(0))));
 }
 BENCHMARK(threads)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void iterations(benchmark::State& state) {
   SmoothingParameters parameters = with_threads(1);
   parameters.iterations = static_cast<int>(state.range(0));
-  smooth_whole(state, bench::noisy_part(100000), parameters);
+  smooth_whole(state, bench::noisy_mesh({100000}), parameters);
 }
 BENCHMARK(iterations)->Arg(1)->Arg(2)->Arg(3)->Unit(benchmark::kMillisecond);
 
@@ -63,13 +65,39 @@ BENCHMARK(iterations)->Arg(1)->Arg(2)->Arg(3)->Unit(benchmark::kMillisecond);
 void sigma_c(benchmark::State& state) {
   SmoothingParameters parameters = with_threads(1);
   parameters.sigma_c = static_cast<double>(state.range(0));
-  smooth_whole(state, bench::noisy_part(35000), parameters);
+  smooth_whole(state, bench::noisy_mesh({}), parameters);
 }
 BENCHMARK(sigma_c)->DenseRange(1, 6)->Unit(benchmark::kMillisecond);
 
+void smooth_kind(benchmark::State& state, const bench::Kind& kind) {
+  smooth_whole(state, bench::noisy_mesh(kind), with_threads(1));
+  const double rho = SmoothingParameters().sigma_c * SmoothingParameters().rho;
+  state.counters["pairs"] = static_cast<double>(bench::count_pairs(bench::noisy_arrays(kind), rho));
+}
+
+/// Argument: noise in hundredths of |e|.
+void noise(benchmark::State& state) {
+  bench::Kind kind{100000};
+  kind.noise = static_cast<double>(state.range(0)) / 100;
+  smooth_kind(state, kind);
+}
+BENCHMARK(noise)->Arg(0)->Arg(10)->Arg(20)->Arg(40)->Arg(60)->Unit(benchmark::kMillisecond);
+
+/// From a regular grid to edges that differ by a factor of ten.
+void shape(benchmark::State& state, const char* name) {
+  bench::Kind kind{100000};
+  kind.shape = name;
+  smooth_kind(state, kind);
+}
+BENCHMARK_CAPTURE(shape, plane_slash, "plane_slash")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(shape, sphere, "sphere")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(shape, plane_delaunay, "plane_delaunay")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(shape, cube, "cube")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(shape, graded_cube, "graded_cube")->Unit(benchmark::kMillisecond);
+
 /// Copying, checking, reordering and the topology: everything before the normals.
 void step_read(benchmark::State& state) {
-  const mesh_tools::Mesh& mesh = bench::noisy_part(state.range(0));
+  const mesh_tools::Mesh& mesh = bench::noisy_mesh({vertices_of(state)});
   detail::Job job = bench::single_thread();
   for (auto _ : state) benchmark::DoNotOptimize(detail::read_mesh(mesh, job));
   per_vertex(state, mesh.vert.size());
@@ -77,7 +105,7 @@ void step_read(benchmark::State& state) {
 BENCHMARK(step_read)->Arg(1000000)->Unit(benchmark::kMillisecond);
 
 void step_normals(benchmark::State& state) {
-  const bench::Arrays& arrays = bench::noisy_part_arrays(state.range(0));
+  const bench::Arrays& arrays = bench::noisy_arrays({vertices_of(state)});
   detail::Job job = bench::single_thread();
   for (auto _ : state) benchmark::DoNotOptimize(detail::vertex_normals(arrays.mesh, arrays.mesh.position, job));
   per_vertex(state, arrays.mesh.size());
