@@ -1,4 +1,4 @@
-"""Drives MeshLab's window on a virtual display by keys, as a person without a mouse would. Every wait is for something
+"""Drives MeshLab's window on a virtual display by keys, and by the mouse what no key reaches. Every wait is for something
 that can be seen: a window, a line of the log."""
 
 import re
@@ -125,6 +125,7 @@ class Gui:
         dialog = self.window("^" + re.escape(name))
         self.stops = self.meshlab.dialog_stops(list(scripts.DEFAULTS[name]))
         self.stop = 0
+        self.dialog = dialog
         self.settled_picture("dialog")
         return dialog
 
@@ -138,6 +139,16 @@ class Gui:
     def press(self, button):
         self.go_to(button)
         self.keys("space")
+
+    def toggle_preview(self):
+        if "Preview" in self.stops:
+            self.press("Preview")
+            return
+        left, bottom = self.meshlab.preview_place()
+        shape = dict(line.split("=") for line in
+                     self._output("xdotool", "getwindowgeometry", "--shell", self.dialog).splitlines())
+        self._output("xdotool", "mousemove", "--window", self.dialog, str(left), str(int(shape["HEIGHT"]) - bottom),
+                     "click", "1")
 
     def set_field(self, name, value):
         self.go_to(name)
