@@ -14,7 +14,7 @@ find_package(Eigen3 QUIET NO_MODULE)
 
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(Vcglib
-  REQUIRED_VARS VCGLIB_DIR EIGEN3_FOUND
+  REQUIRED_VARS VCGLIB_DIR Eigen3_FOUND
   REASON_FAILURE_MESSAGE "run scripts/setup, or give -DVCGLIB_DIR=<folder with vcg/> and install Eigen 3")
 
 if(Vcglib_FOUND AND NOT TARGET Vcglib::Vcglib)
