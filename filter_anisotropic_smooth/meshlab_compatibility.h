@@ -4,12 +4,16 @@
 // 2023.12 to 2025.07. Which one applies is told by the header that exists. Above this file, a filter is a
 // meshlab_plugin::Filter, whatever the version.
 
-#if __has_include(<common/plugins/interfaces/filter_plugin.h>)
+// Qt 5's moc has no __has_include, but it passes over headers that do not exist.
+#if defined(Q_MOC_RUN) || __has_include(<common/plugins/interfaces/filter_plugin.h>)
 #include <common/plugins/interfaces/filter_plugin.h>
+#endif
+#ifdef FILTER_PLUGIN_IID
 #define ANISO_MESHLAB_SINCE_2021 1
+#include <common/globals.h>
 #else
-#include <common/interfaces.h>
 #define ANISO_MESHLAB_SINCE_2021 0
+#include <common/interfaces.h>
 #endif
 #include <common/mlexception.h>
 
@@ -17,6 +21,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
 namespace meshlab_plugin {
 
@@ -24,7 +29,7 @@ using Report = std::map<std::string, QVariant>;
 
 #if ANISO_MESHLAB_SINCE_2021
 using HostInterface = FilterPlugin;
-using FilterId = ActionIDType;
+using FilterId = FilterPlugin::ActionIDType;
 using ActionPointer = const QAction*;
 #define ANISO_INTERFACE FilterPlugin
 #define ANISO_INTERFACE_ID FILTER_PLUGIN_IID
@@ -64,6 +69,11 @@ class HostAdapter : public QObject, public HostInterface {
   virtual QString error_text(const std::exception& error) const = 0;
 
 #if ANISO_MESHLAB_SINCE_2021
+  /// MeshLab refuses a plugin of another version or precision than its own.
+  std::pair<std::string, bool> getMLVersion() const override {
+    return {meshlab::meshlabVersion(), meshlab::builtWithDoublePrecision()};
+  }
+
   FilterArity filterArity(const QAction*) const override { return SINGLE_MESH; }
 
   using HostInterface::initParameterList;

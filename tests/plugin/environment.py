@@ -2,8 +2,10 @@
 
 import os
 import pathlib
+import re
 import shutil
 import subprocess
+import sys
 import time
 
 PLUGIN = pathlib.Path(os.environ["ANISO_PLUGIN"]) if "ANISO_PLUGIN" in os.environ else None
@@ -11,6 +13,7 @@ TOOL = pathlib.Path(os.environ["ANISO_TOOL"])
 SOURCE = pathlib.Path(os.environ["ANISO_SOURCE"])
 WORK = pathlib.Path(os.environ["ANISO_WORK"])
 LIBRARY = pathlib.Path(os.environ["ANISO_MESHLAB_LIBRARY"]) if PLUGIN else None
+APPLY_MLX = os.environ.get("ANISO_APPLY_MLX")  # built for MeshLab since 2021 only
 
 
 def fresh_work_folder():
@@ -28,14 +31,13 @@ def run_tool(*arguments):
     return done.stdout
 
 
-class PrivateMeshLab:
-    """MeshLab with our plugin in a prefix of its own (see scripts/private_meshlab), and a home folder of its own."""
+class MeshLab:
+    """The MeshLab that the plugin was built for, with a home folder of its own. What differs between its versions is in
+    the two classes below."""
 
     def __init__(self, folder):
-        self.prefix = folder / "prefix"
         self.home = folder / "home"
         self.home.mkdir(parents=True)
-        subprocess.run([SOURCE / "scripts/private_meshlab", self.prefix, PLUGIN, LIBRARY], check=True)
 
     def environment(self, display):
         """No setting of the user is read or written; texts and numbers as in the C locale."""
@@ -45,11 +47,79 @@ class PrivateMeshLab:
                 "XDG_CONFIG_HOME": str(self.home / "config"), "XDG_DATA_HOME": str(self.home / "data"),
                 "LC_ALL": "C.UTF-8", "LIBGL_ALWAYS_SOFTWARE": "1", "QT_LOGGING_RULES": ""}
 
+    def _run(self, command, display, timeout=60):
+        """The finished process, with what it printed on both streams in `stdout`."""
+        return subprocess.run([str(word) for word in command], env=self.environment(display), stdout=subprocess.PIPE,
+                              check=False, stderr=subprocess.STDOUT, text=True, errors="replace", timeout=timeout)
+
+
+class PrivateMeshLab(MeshLab):
+    """MeshLab 2020.09 with our plugin in a prefix of its own (see scripts/private_meshlab), and its meshlabserver."""
+
+    failure_status = 255
+    cleans_what_it_opens = False
+    mesh_region = "350x450+560+200"  # of the screen: holds a part of the mesh and no dialog
+
+    def __init__(self, folder):
+        super().__init__(folder)
+        self.prefix = folder / "prefix"
+        self.program = self.prefix / "bin/meshlab"
+        subprocess.run([SOURCE / "scripts/private_meshlab", self.prefix, PLUGIN, LIBRARY], check=True)
+
     def server(self, display, *arguments, timeout=60):
-        """Runs meshlabserver; returns the finished process with what it printed on both streams in `stdout`."""
-        command = [self.prefix / "bin/meshlabserver", *map(str, arguments)]
-        return subprocess.run(command, env=self.environment(display), stdout=subprocess.PIPE, check=False,
-                              stderr=subprocess.STDOUT, text=True, errors="replace", timeout=timeout)
+        return self._run([self.prefix / "bin/meshlabserver", *arguments], display, timeout)
+
+    def apply(self, display, script, source, target, save=()):
+        """Applies a script to a file; `save` is what meshlabserver is told to write besides positions."""
+        return self.server(display, *(("-i", source) if source else ()), "-o", target, *save, "-s", script)
+
+    def dialog_stops(self, fields):
+        """Where Tab takes the keyboard in a filter's dialog, beginning with what has it at first."""
+        return ["Apply", "Default", "Preview", *fields]
+
+    def errors(self, done):
+        """What the user is told. meshlabserver prints progress without line ends, so the message may follow it on the
+        same line; it also prints every message to stderr, behind "LOG: 2"."""
+        return re.findall(r"(?<!LOG: 2 )Error: .*", done.stdout)
+
+
+class InstalledMeshLab(MeshLab):
+    """MeshLab since 2021 as it is installed, with our plugin where it looks for a user's own, and our apply_mlx."""
+
+    failure_status = 1
+    cleans_what_it_opens = True  # degenerate faces and vertices that are not finite
+    mesh_region = "225x380+245+240"
+
+    def __init__(self, folder):
+        super().__init__(folder)
+        self.program = pathlib.Path("/usr/bin/meshlab")
+        plugins = self.home / "data/VCG/MeshLab_64bit_fp/MeshLabExtraPlugins" / os.environ["ANISO_MESHLAB_VERSION"]
+        plugins.mkdir(parents=True)
+        shutil.copy(PLUGIN, plugins)
+
+    def apply_mlx(self, *arguments):
+        return self._run([APPLY_MLX, *arguments], display="")
+
+    def apply(self, _display, script, source, target, _save=()):
+        """Applies a script to a file, without a display; attributes are written if the mesh has them."""
+        return self.apply_mlx("-i", source, "-o", target, "-s", script, "--plugin", PLUGIN)
+
+    def dialog_stops(self, fields):
+        return ["nothing", *fields, "scroll area", "Preview", "Default", "Help", "Close", "Apply"]
+
+    def errors(self, done):
+        return done.stdout.splitlines()
+
+
+def make_meshlab(folder):
+    """The MeshLab to test in; says which."""
+    print(f"MeshLab {os.environ['ANISO_MESHLAB_VERSION']}, package {installed_package()}", file=sys.stderr)
+    return InstalledMeshLab(folder) if APPLY_MLX else PrivateMeshLab(folder)
+
+
+def installed_package():
+    found = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", "meshlab"], check=False, capture_output=True, text=True)
+    return found.stdout if found.returncode == 0 else "unknown"
 
 
 class Display:

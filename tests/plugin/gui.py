@@ -5,6 +5,8 @@ import re
 import subprocess
 import time
 
+import scripts
+
 WAIT = 60  # seconds; reached only when something is wrong
 
 
@@ -16,12 +18,13 @@ def share_of_pixels_that_differ(one, other):
 
 class Gui:
     def __init__(self, meshlab, display, mesh, folder):
+        self.meshlab = meshlab
         self.folder = folder
         self.environment = meshlab.environment(display.name)
         self.log_path = folder / "meshlab.log"
         self.pictures = 0
         with open(self.log_path, "w", encoding="utf-8") as log:
-            self.process = subprocess.Popen([meshlab.prefix / "bin/meshlab", mesh], env=self.environment, cwd=folder,
+            self.process = subprocess.Popen([meshlab.program, mesh], env=self.environment, cwd=folder,
                                             stdout=subprocess.DEVNULL, stderr=log)
         try:
             self.wait_for_log("All files opened")
@@ -86,15 +89,15 @@ class Gui:
         self._output("import", "-window", "root", str(path))
         return path
 
-    def settled_picture(self, name, unlike=None, **region):
+    def settled_picture(self, name, unlike=None, region=None):
         """A picture that two looks in a row agree on: drawing has finished. It waits for one other than `unlike`."""
         if unlike is not None:
-            self._wait(lambda: share_of_pixels_that_differ(self.pixels(**region), unlike) > 0.01, f"'{name}'")
+            self._wait(lambda: share_of_pixels_that_differ(self.pixels(region), unlike) > 0.01, f"'{name}'")
         previous = None
 
         def settled():
             nonlocal previous
-            now = self.pixels(**region)
+            now = self.pixels(region)
             same, previous = now == previous, now
             time.sleep(0.2)
             return same
@@ -102,15 +105,16 @@ class Gui:
         self.picture(name)
         return previous
 
-    def pixels(self, region="350x450+560+200"):
-        """What the part of the screen shows that holds the mesh and no dialog."""
+    def pixels(self, region=None):
+        """What a part of the screen shows: the one with the mesh and no dialog unless told."""
+        region = region or self.meshlab.mesh_region
         return subprocess.run(["import", "-window", "root", "-crop", region, "-depth", "8", "rgb:-"], check=False,
                               env=self.environment, capture_output=True, timeout=WAIT).stdout
 
     # MeshLab's ways
 
     def open_filter(self, name):
-        """Finds a filter by the search box and opens its dialog; the focus is then on Apply."""
+        """Finds a filter by the search box and opens its dialog."""
         self.focus(self.main)
         before = self.pixels("480x160+905+82")
         self.keys("ctrl+f")
@@ -119,8 +123,26 @@ class Gui:
         self.settled_picture("search", region="480x160+905+82")
         self.keys("Down", "Return")
         dialog = self.window("^" + re.escape(name))
+        self.stops = self.meshlab.dialog_stops(list(scripts.DEFAULTS[name]))
+        self.stop = 0
         self.settled_picture("dialog")
         return dialog
+
+    def go_to(self, stop):
+        """Gives the keyboard to a field or button of the open dialog."""
+        steps = self.stops.index(stop) - self.stop
+        self.stop += steps
+        if steps:
+            self.keys(*["Tab" if steps > 0 else "shift+Tab"] * abs(steps))
+
+    def press(self, button):
+        self.go_to(button)
+        self.keys("space")
+
+    def set_field(self, name, value):
+        self.go_to(name)
+        self.keys("ctrl+a")
+        self.type(value)
 
     def applied(self):
         return len(re.findall("Applied filter", self.log()))

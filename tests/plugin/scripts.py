@@ -5,6 +5,7 @@ GEODESIC = "Geodesic Distance by Virtual Source"
 BILATERAL = "Bilateral Mesh Denoising"
 NON_ITERATIVE = "Non-Iterative Feature-Preserving Smoothing"
 GUIDED = "Guided Anisotropic Smoothing"
+MEASURES = "Compute Geometric Measures"  # MeshLab's own; changes nothing
 
 KINDS = {"sigma_c": "RichFloat", "sigma_s": "RichFloat", "sigma_n": "RichFloat", "rho": "RichFloat",
          "iterations": "RichInt", "boundary": "RichEnum", "selected": "RichBool", "start_vertex": "RichInt",
@@ -15,7 +16,8 @@ DEFAULTS = {SMOOTHING: {"sigma_c": 2, "sigma_s": 1, "sigma_n": 0.3, "rho": 2, "i
             BILATERAL: {"sigma_c": 2, "sigma_s": 1, "iterations": 1, "boundary": 0, "selected": "false"},
             NON_ITERATIVE: {"sigma_c": 2, "sigma_s": 1, "boundary": 0, "selected": "false"},
             GUIDED: {"strength": 1, "feature_angle": 30, "iterations": 0, "boundary": 1, "selected": "false",
-                     "smooth_color": "false"}}
+                     "smooth_color": "false"},
+            MEASURES: {}}
 
 
 def write(path, name, **values):

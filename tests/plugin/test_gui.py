@@ -5,19 +5,14 @@ import unittest
 
 import ply
 import scripts
-from environment import Display, PrivateMeshLab, fresh_work_folder, run_tool
+from environment import Display, fresh_work_folder, make_meshlab, run_tool
 from gui import Gui, share_of_pixels_that_differ
-
-# Tab order of a filter's dialog: Apply (has the focus at first), Default, Preview, then the parameters.
-TABS_TO_PREVIEW = 2
-TABS_TO_FIRST_FIELD = 3
-FIELDS = list(scripts.DEFAULTS[scripts.SMOOTHING])
 
 
 def setUpModule():
     global work, meshlab, display, noisy
     work = fresh_work_folder()
-    meshlab = PrivateMeshLab(work)
+    meshlab = make_meshlab(work)
     display = Display(window_manager=True).__enter__()
     run_tool("generate", "cad_part", work / "clean.ply", "--vertices", 8000)
     noisy = work / "noisy.ply"
@@ -31,7 +26,7 @@ def tearDownModule():
 def by_script(source, name, filter_name=scripts.SMOOTHING, save=(), **values):
     script = scripts.write(work / f"{name}.mlx", filter_name, **values)
     target = work / f"{name}.ply"
-    done = meshlab.server(display.name, "-i", source, "-o", target, *save, "-s", script)
+    done = meshlab.apply(display.name, script, source, target, save)
     if done.returncode != 0:
         raise AssertionError(done.stdout)
     return target
@@ -48,18 +43,11 @@ class Dialog(unittest.TestCase):
         self.addCleanup(gui.close)
         return gui
 
-    def set_field(self, gui, name, value):
-        """From Apply to a field, its new value, and back to Apply."""
-        tabs = TABS_TO_FIRST_FIELD + FIELDS.index(name)
-        gui.keys(*["Tab"] * tabs, "ctrl+a")
-        gui.type(value)
-        gui.keys(*["shift+Tab"] * tabs)
-
     def test_preview_apply_and_export(self):
         gui = self.start(noisy, "smoothing")
         dialog = gui.open_filter(scripts.SMOOTHING)
 
-        gui.keys(*["Tab"] * TABS_TO_PREVIEW, "space")
+        gui.press("Preview")
         gui.wait_for_log("Applied filter")
         shown = gui.settled_picture("preview_on")
         gui.keys("space")
@@ -71,10 +59,9 @@ class Dialog(unittest.TestCase):
         self.assertEqual(ply.positions(gui.export(work / "after_preview.ply")), ply.positions(noisy))
 
         gui.focus(dialog)
-        gui.keys(*["shift+Tab"] * TABS_TO_PREVIEW)
-        self.set_field(gui, "sigma_n", "0.2")
+        gui.set_field("sigma_n", "0.2")
         applied = gui.applied()
-        gui.keys("space")
+        gui.press("Apply")
         gui.wait_for_log("Applied filter", applied + 1)
         gui.settled_picture("applied", unlike=hidden)
         result = gui.export(work / "applied.ply")
@@ -85,8 +72,8 @@ class Dialog(unittest.TestCase):
     def test_bad_value_is_explained_in_a_box_and_changes_nothing(self):
         gui = self.start(noisy, "failure")
         dialog = gui.open_filter(scripts.SMOOTHING)
-        self.set_field(gui, "sigma_c", "-1")
-        gui.keys("space")
+        gui.set_field("sigma_c", "-1")
+        gui.press("Apply")
         gui.window("Filter Failure")
         gui.settled_picture("failure_box")
         gui.keys("Return")
@@ -104,7 +91,7 @@ class Dialog(unittest.TestCase):
                            ("face", [("vertex_indices", ("uchar", "int"))], [(t,) for t in ply.triangles(noisy)])])
         gui = self.start(source, "selection")
         gui.open_filter(scripts.SMOOTHING)
-        gui.keys("space")
+        gui.press("Apply")
         gui.wait_for_log("Applied filter")
         result = ply.positions(gui.export(work / "selection_applied.ply"))
         self.assertEqual(result, ply.positions(by_script(source, "selection_script", selected="true")))
@@ -118,10 +105,10 @@ class Dialog(unittest.TestCase):
         run_tool("noise", work / "large_clean.ply", large, "--level", "0.2")
         gui = self.start(large, "busy")
         dialog = gui.open_filter(scripts.SMOOTHING)
-        self.set_field(gui, "sigma_c", "5")
-        gui.keys("space")
+        gui.set_field("sigma_c", "5")
+        gui.press("Apply")
         gui.focus(dialog)
-        gui.keys("space")
+        gui.press("Apply")
         gui.window("Filter Failure")
         gui.picture("still_running")
         self.assertEqual(gui.applied(), 0)
@@ -134,13 +121,13 @@ class Dialog(unittest.TestCase):
     def test_geodesic_distance_is_shown_in_colour_and_restored(self):
         gui = self.start(noisy, "geodesic")
         dialog = gui.open_filter(scripts.GEODESIC)
-        gui.keys(*["Tab"] * TABS_TO_PREVIEW, "space")
+        gui.press("Preview")
         gui.wait_for_log("Applied filter")
         shown = gui.settled_picture("preview_on")
         gui.keys("space")
         hidden = gui.settled_picture("preview_off", unlike=shown)
         gui.focus(dialog)
-        gui.keys(*["shift+Tab"] * TABS_TO_PREVIEW, "space")
+        gui.press("Apply")
         gui.wait_for_log("Applied filter", 2)
         self.assert_same_picture(gui.settled_picture("applied", unlike=hidden), shown)
         result = ply.read(gui.export(work / "geodesic.ply"))["vertex"]
