@@ -1,10 +1,11 @@
 // describe_plugin PLUGIN: what users' scripts hold on to, as JSON: every filter's name and Python name, its parameters
-// with kind, default, choices and which of some test values it takes, and the names of what it reports. Asks the plugin
-// file itself, as MeshLab does, without a display.
+// with kind, default, choices and which of some test values it takes (numbers only), and the names of what it reports.
+// Asks the plugin file itself, as MeshLab does, without a display.
 
 #include <meshlab_compatibility.h>
 
 #include <QApplication>
+#include <QFileInfo>
 #include <QPluginLoader>
 
 #include <nlohmann/json.hpp>
@@ -75,12 +76,13 @@ void add_mesh(MeshDocument& document) {
   }
 }
 
-Json value_of(const RichParameter& parameter) {
+Json value_of(const RichParameter& parameter, const RichParameterList& list) {
   const QString kind = parameter.stringType();
-  if (kind == "RichFloat") return std::stod(QString::number(parameter.value().getFloat(), 'g', 6).toStdString());
-  if (kind == "RichInt") return parameter.value().getInt();
-  if (kind == "RichBool") return parameter.value().getBool();
-  if (kind == "RichEnum") return parameter.value().getEnum();
+  const QString name = parameter.name();
+  if (kind == "RichFloat") return std::stod(QString::number(list.getFloat(name), 'g', 6).toStdString());
+  if (kind == "RichInt") return list.getInt(name);
+  if (kind == "RichBool") return list.getBool(name);
+  if (kind == "RichEnum") return list.getEnum(name);
   throw std::runtime_error("describe_plugin: unknown kind of parameter: " + kind.toStdString());
 }
 
@@ -98,15 +100,15 @@ bool takes(const Filter& filter, const RichParameter& parameter, int value) {
   return filter.apply(document, values, report);
 }
 
-Json describe(const Filter& filter, const RichParameter& parameter) {
+Json describe(const Filter& filter, const RichParameter& parameter, const RichParameterList& list) {
   Json result;
   result["name"] = parameter.name().toStdString();
   result["kind"] = parameter.stringType().toStdString();
-  result["default"] = value_of(parameter);
+  result["default"] = value_of(parameter, list);
   if (const auto* choice = dynamic_cast<const RichEnum*>(&parameter)) {
     for (const QString& name : choice->enumvalues) result["choices"].push_back(name.toStdString());
   }
-  if (parameter.stringType() != "RichBool") {
+  if (parameter.stringType() == "RichFloat" || parameter.stringType() == "RichInt") {
     for (const int value : test_values) {
       if (takes(filter, parameter, value)) result["takes"].push_back(value);
     }
@@ -124,7 +126,8 @@ Json describe(const Filter& filter) {
   const RichParameterList parameters = filter.parameters(document);
   Json result;
   result["name"] = filter.action->text().toStdString();
-  for (const RichParameter& parameter : parameters) result["parameters"].push_back(describe(filter, parameter));
+  for (const RichParameter& parameter : parameters)
+    result["parameters"].push_back(describe(filter, parameter, parameters));
   Report report;
   if (!filter.apply(document, parameters, report)) {
     throw std::runtime_error("describe_plugin: the filter refuses its defaults: " + result["name"].get<std::string>());
@@ -145,7 +148,7 @@ int main(int argc, char** argv) {
   }
   ::setenv("QT_QPA_PLATFORM", "offscreen", 1);
   const QApplication application(argc, argv);
-  QPluginLoader loader(QString::fromLocal8Bit(argv[1]));
+  QPluginLoader loader(QFileInfo(QString::fromLocal8Bit(argv[1])).absoluteFilePath());
   auto* plugin = qobject_cast<HostInterface*>(loader.instance());
   if (plugin == nullptr) {
     std::cerr << "describe_plugin: " << loader.errorString().toStdString() << "\n";
