@@ -7,7 +7,7 @@ import time
 
 import scripts
 
-WAIT = 60  # seconds; reached only when something is wrong
+WAIT = 120  # seconds; reached only when something is wrong
 
 
 def share_of_pixels_that_differ(one, other):

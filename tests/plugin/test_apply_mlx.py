@@ -2,11 +2,14 @@
 filters in their order, MeshLab's own filters and formats, and one clear line and nothing written when something is wrong."""
 
 import os
+import pathlib
+import re
+import subprocess
 import unittest
 
 import ply
 import scripts
-from environment import PLUGIN, fresh_work_folder, make_meshlab, run_tool
+from environment import APPLY_MLX, PLUGIN, SOURCE, fresh_work_folder, make_meshlab, run_tool
 
 
 def setUpModule():
@@ -111,6 +114,21 @@ class Done(unittest.TestCase):
         self.assertTrue(link.is_symlink())
         self.assertEqual(real.stat().st_mode & 0o777, 0o640)
         self.assertEqual(ply.positions(real), ply.positions(smoothed_by_tool(noisy, "linked")))
+
+
+class Readme(unittest.TestCase):
+    def test_example(self):
+        text = (SOURCE / "README.md").read_text(encoding="utf-8")
+        script, command = (re.search(rf"<!-- {mark} -->\n```\w+\n(.*?)```", text, re.DOTALL).group(1)
+                           for mark in ("file: smooth.mlx", "run: apply_mlx"))
+        folder = work / "readme"
+        (folder / "build").mkdir(parents=True)
+        (folder / "build/plugins").symlink_to(PLUGIN.parent)
+        (folder / "noisy.ply").symlink_to(noisy)
+        (folder / "smooth.mlx").write_text(script)
+        path = f"{pathlib.Path(APPLY_MLX).parent}:{os.environ['PATH']}"
+        subprocess.run(["bash", "-e", "-c", command], check=True, cwd=folder, env={**os.environ, "PATH": path})
+        self.assertEqual(ply.positions(folder / "smooth.ply"), ply.positions(smoothed_by_tool(noisy, "readme")))
 
 
 class Wrong(unittest.TestCase):
