@@ -106,8 +106,8 @@ Report GeodesicDistance::apply(MeshModel& mesh, const RichParameterList& values,
                 " vertices are not connected to the start vertex; their quality is -1 and they are grey");
   }
   return {{"max_distance", largest},
-          {"vertices", static_cast<qulonglong>(vertices)},
-          {"unreachable_vertices", static_cast<qulonglong>(unreachable)}};
+          {"vertices", static_cast<int>(vertices)},
+          {"unreachable_vertices", static_cast<int>(unreachable)}};
 }
 
 }  // namespace meshlab_plugin

@@ -32,7 +32,8 @@ void log_report(const SmoothingReport& report, const Session& session) {
 }
 
 Report to_map(const SmoothingReport& report) {
-  const auto count = [](std::size_t n) { return QVariant(static_cast<qulonglong>(n)); };
+  // PyMeshLab hands on no integers but int; vcglib counts vertices in one.
+  const auto count = [](std::size_t n) { return static_cast<int>(n); };
   return {{"average_edge_length", report.average_edge_length},
           {"sigma_c_length", report.sigma_c_length},
           {"sigma_s_length", report.sigma_s_length},

@@ -1,0 +1,69 @@
+"""Names, parameters, kinds, choices, defaults and ranges of every filter, and what it reports, are those of filters.json:
+users' scripts hold on to them. Who changes one on purpose runs
+
+    build/tests/plugin/describe_plugin build/plugins/libfilter_anisotropic_smooth.so >tests/plugin/filters.json
+
+for a MeshLab since 2021: 2020.09 knows neither Python names nor reports."""
+
+import ast
+import json
+import os
+import pathlib
+import subprocess
+import unittest
+
+from environment import PLUGIN, SOURCE
+
+SNAPSHOT = pathlib.Path(__file__).with_name("filters.json")
+SINCE_2021 = ("python_name", "report")
+IN_PYTHON = {"int", "double", "float", "bool"}  # the scalar types of a report that PyMeshLab hands on
+
+
+def without(names, value):
+    if isinstance(value, dict):
+        return {key: without(names, item) for key, item in value.items() if key not in names}
+    if isinstance(value, list):
+        return [without(names, item) for item in value]
+    return value
+
+
+class Snapshot(unittest.TestCase):
+    maxDiff = None
+
+    def test_filters_are_as_released(self):
+        printed = subprocess.run([os.environ["ANISO_DESCRIBE"], PLUGIN], check=True, stdout=subprocess.PIPE, text=True,
+                                 timeout=100).stdout
+        found = json.loads(printed[printed.index("[\n"):])
+        released = json.loads(SNAPSHOT.read_text())
+        if not any("python_name" in description for description in found):
+            released = without(SINCE_2021, released)
+        self.assertEqual([description["name"] for description in found],
+                         [description["name"] for description in released])
+        for description, expected in zip(found, released):
+            with self.subTest(filter=expected["name"]):
+                self.assertEqual(description, expected)
+
+    def test_reports_are_of_types_that_pymeshlab_hands_on(self):
+        for description in json.loads(SNAPSHOT.read_text()):
+            self.assertLessEqual(set(description["report"].values()), IN_PYTHON, description["name"])
+
+    def test_documented_pymeshlab_example_uses_released_names(self):
+        tree = ast.parse((SOURCE / "docs/pymeshlab_example.py").read_text())
+        (call,) = [node for node in ast.walk(tree) if isinstance(node, ast.Call) and
+                   getattr(node.func, "attr", "") == "apply_filter"]
+        (description,) = [one for one in json.loads(SNAPSHOT.read_text()) if one["python_name"] == call.args[0].value]
+        self.assertEqual([keyword.arg for keyword in call.keywords],
+                         [parameter["python_name"] for parameter in description["parameters"]])
+        for keyword, parameter in zip(call.keywords, description["parameters"]):
+            default = parameter["default"]
+            if "choices" in parameter:
+                default = parameter["choices"][default]
+            self.assertEqual(keyword.value.value, default, keyword.arg)
+        used = {node.slice.value for node in ast.walk(tree) if isinstance(node, ast.Subscript) and
+                getattr(node.value, "id", "") == "report"}
+        self.assertTrue(used)
+        self.assertLessEqual(used, set(description["report"]))
+
+
+if __name__ == "__main__":
+    unittest.main()
