@@ -2,6 +2,7 @@
 // can be cancelled.
 
 #include <cmath>
+#include <ostream>
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,11 @@ struct Slow {
   const char* name;
   Method method;
   Arithmetic arithmetic;
+  double enough;  ///< fraction of the whole at which it is cancelled, from 0.05, where the smoothing begins
 };
+
+/// For the names of tests.
+void PrintTo(const Slow& slow, std::ostream* out) { *out << slow.name; }
 
 class WholeMeshNeighborhood : public testing::TestWithParam<Slow> {};
 
@@ -36,20 +41,21 @@ TEST_P(WholeMeshNeighborhood, HasBoundedMemoryMovesTheBarAndIsCancelled) {
   parameters.rho = 1e6;
   parameters.threads = 2;
   parameters.arithmetic = GetParam().arithmetic;
-  // At 7 % the first of the neighbourhoods are done, all of the same size.
-  ProgressLog log([](const ProgressLog::Call& call) { return call.fraction < 0.07; });
+  // Then some of the neighbourhoods are done, all of the same size.
+  ProgressLog log([](const ProgressLog::Call& call) { return call.fraction < GetParam().enough; });
   const AllocationPeak peak;
   EXPECT_THROW(vcg_core::smooth(mesh, GetParam().method, parameters, log.callable()), vcg_core::Cancelled);
   EXPECT_TRUE(untouched.unchanged());
-  EXPECT_GT(log.calls().size(), 2u);
+  EXPECT_LT(log.calls().back().fraction, 1) << "the bar moves step by step";
   EXPECT_LT(peak.bytes(), 2000 * mesh.vert.size()) << "all neighbourhoods at once would be 20,000 times as much";
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, WholeMeshNeighborhood,
-                         testing::Values(Slow{"paper", Method::paper, Arithmetic::fast},
-                                         Slow{"paper_in_reference_arithmetic", Method::paper, Arithmetic::reference},
-                                         Slow{"bmd", Method::bmd, Arithmetic::fast},
-                                         Slow{"jones", Method::jones, Arithmetic::fast}),
+                         testing::Values(Slow{"paper", Method::paper, Arithmetic::fast, 0.1},
+                                         Slow{"paper_in_reference_arithmetic", Method::paper, Arithmetic::reference,
+                                              0.052},
+                                         Slow{"bmd", Method::bmd, Arithmetic::fast, 0.1},
+                                         Slow{"jones", Method::jones, Arithmetic::fast, 0.3}),
                          [](const auto& instance) { return instance.param.name; });
 
 }  // namespace

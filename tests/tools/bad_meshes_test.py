@@ -21,6 +21,8 @@ def setUpModule():
     folder = pathlib.Path(temporary.name)
     subprocess.run([WRITER, folder], check=True)
     families = [line.split("\t") for line in (folder / "families.txt").read_text().splitlines()]
+    # The reader refuses it before the library does.
+    families = [(name, "holds no vertices" if name == "empty" else error) for name, error in families]
     refused = run("smooth", "one_triangle.ply", "x.ply", "--method", "none").stderr
     methods = re.search("allowed are (.*)", refused).group(1).split(", ")
 
@@ -81,7 +83,7 @@ class BadMeshes(unittest.TestCase):
                 output.unlink(missing_ok=True)
                 done = run("geodesic", f"{family}.ply", output.name, "--start-vertex", "0", "--quiet")
                 if error:
-                    self.refused(done, "" if family == "empty" else error, output)
+                    self.refused(done, error, output)
                 else:
                     self.assertEqual(done.returncode, 0, done.stderr)
                     self.assertTrue(output.exists())
