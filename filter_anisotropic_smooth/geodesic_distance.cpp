@@ -34,7 +34,7 @@ void write(const std::vector<double>& distance, const std::vector<vcg_core::Rgb>
     auto& vertex = mesh.cm.vert[v];
     if (vertex.IsD()) continue;
     using Quality = std::decay_t<decltype(vertex.Q())>;
-    vertex.Q() = static_cast<Quality>(vcg_core::distance_quality(distance[v]));
+    vertex.Q() = vcg_core::distance_quality<Quality>(distance[v]);
     vertex.C() = vcg::Color4b(colors[v].red, colors[v].green, colors[v].blue, 255);
   }
 }

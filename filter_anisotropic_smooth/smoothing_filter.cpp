@@ -1,5 +1,6 @@
 #include "smoothing_filter.h"
 
+#include <cmath>
 #include <sstream>
 
 namespace meshlab_plugin {
@@ -51,11 +52,23 @@ Report to_map(const SmoothingReport& report) {
           {"volume_after", report.volume_after}};
 }
 
+/// Normals that are no numbers become zero, as those of faces without area are: MeshLab's own computation of them
+/// leaves the range of single precision when coordinates are about 1e19 or more.
+template <class Elements>
+void clear_undefined_normals(Elements& elements) {
+  for (auto& element : elements) {
+    if (element.IsD() || std::isfinite(element.cN().SquaredNorm())) continue;
+    element.N().SetZero();
+  }
+}
+
 }  // namespace
 
 Report SmoothingFilter::apply(MeshModel& mesh, const RichParameterList& values, const Session& session) const {
   const SmoothingReport report = vcg_core::smooth(mesh.cm, method_, read_values(knobs_, values), session.progress);
   update_box_and_normals(mesh, 0);
+  clear_undefined_normals(mesh.cm.vert);
+  clear_undefined_normals(mesh.cm.face);
   log_report(report, session);
   return to_map(report);
 }

@@ -11,22 +11,19 @@
 #include <rapidcheck/gtest.h>
 
 #include <support/comparison.h>
+#include <support/draw.h>
+#include <support/mesh_census.h>
 #include <support/mesh_types.h>
 #include <support/naive_geodesics.h>
 #include <support/naive_reference.h>
 #include <support/smoothed.h>
+#include <support/smoothed_by.h>
 #include <support/smoothing_path.h>
 #include <vcg_core/geodesic_distance.h>
 
 namespace {
 
 using namespace test_support;
-
-/// A number in [low, high), from the whole range in every run: by itself the generator begins with the lowest.
-template <class Number>
-Number draw(Number low, Number high) {
-  return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high));
-}
 
 /// Few vertices on a small lattice, many faces between them at random: every defect at once.
 FlatMesh random_soup() {
@@ -93,6 +90,28 @@ RC_GTEST_PROP(RandomSoup, GivesFinitePositionsAndAnHonestReport, ()) {
     RC_ASSERT(report.vertices == soup.points.size());
     RC_ASSERT(std::isfinite(report.volume_after) && std::isfinite(report.rms_displacement));
     RC_ASSERT(report.rms_displacement <= report.max_displacement * (1 + 1e-12));
+  }
+}
+
+RC_GTEST_PROP(RandomSoup, GivesFinitePositionsAndRightCountsByEveryMethod, ()) {
+  const FlatMesh soup = random_soup();
+  RC_LOG() << description(soup);
+  if (!has_edge(soup)) return;
+  const MeshCensus census = take_census(soup);
+  for (const vcg_core::MethodInfo& method : vcg_core::methods()) {
+    RC_LOG() << method.name << "\n";
+    vcg_core::SmoothingParameters parameters = random_parameters(method.defaults);
+    parameters.iterations = draw(1, 4);
+    const auto [result, report] = smoothed_by(method.method, soup, parameters);
+    RC_ASSERT(all_finite(result));
+    const bool fixed = parameters.boundary == vcg_core::Boundary::fixed;
+    RC_ASSERT(report.fixed_vertices == (fixed ? census.border : 0));
+    RC_ASSERT(report.border_vertices == census.border);
+    RC_ASSERT(report.non_manifold_vertices == census.non_manifold);
+    RC_ASSERT(report.coincident_vertices == census.coincident);
+    RC_ASSERT(report.degenerate_faces == census.degenerate_faces);
+    RC_ASSERT(report.skipped_vertices.isolated == census.isolated);
+    RC_ASSERT(std::isfinite(report.max_displacement) && std::isfinite(report.volume_after));
   }
 }
 

@@ -117,6 +117,9 @@ TEST(DistanceColors, UnreachableVerticesAreGreyAndTheirQualityIsFinite) {
   EXPECT_EQ(colors[3], vcg_core::unreachable_color);
   EXPECT_EQ(vcg_core::distance_quality(infinity), -1);
   EXPECT_EQ(vcg_core::distance_quality(2.5), 2.5);
+  EXPECT_EQ(vcg_core::distance_quality(1e39), 1e39);
+  EXPECT_EQ(vcg_core::distance_quality<float>(1e39), -1);  // an infinity in single precision
+  EXPECT_EQ(vcg_core::distance_quality<float>(2.5), 2.5f);
 }
 
 TEST(DistanceColors, OneReachableVertexIsTheSource) {

@@ -142,6 +142,36 @@ TEST_P(LaneKernels, MarchOverAFaceWithoutArea) {
   EXPECT_LE(largest_distance_error(hanging, *GetParam(), 4), 1e-5);
 }
 
+// Cancelling in time, without a clock: a patch of 20,000 rows is polled from at every 4,096 of them or more often.
+TEST_P(LaneKernels, PollInsideALargePatch) {
+  Prepared mesh(grid(142));
+  const auto ring = make_rings(mesh.arrays(), mesh.job());
+  const SourceGroups groups = group_sources(mesh.arrays(), GetParam()->lanes, mesh.job());
+  const LaneMesh lanes{mesh.arrays(), ring, mesh.arrays().position, mesh.normal()};
+  PatchBuilder builder(lanes, GetParam()->lanes);
+  const Patch& patch = builder.build(groups.member.data(), groups.begin[1], 1e6);
+  ASSERT_EQ(patch.rows, 142u * 142u);
+  LaneParameters parameters{};
+  parameters.cutoff = parameters.limit = 1e6f;
+  parameters.tolerance = 4e-6f;
+  std::size_t polls = 0;
+  GetParam()->march(
+      patch, parameters, [](void* count) { ++*static_cast<std::size_t*>(count); }, &polls);
+  EXPECT_GE(polls, patch.rows / 4096);
+}
+
+// The same of the scalar march, by which distances from one vertex are found as well.
+TEST(GeodesicMarch, PollsInsideALargeNeighborhood) {
+  Prepared mesh(grid(142));
+  const auto frames = triangle_frames(mesh.arrays(), mesh.arrays().position, mesh.unit(), mesh.job());
+  GeodesicMarch<double> march(mesh.arrays(), frames, 1e-9);
+  std::vector<std::size_t> settled;
+  march.run(0, 1e6, [&](std::size_t count) { settled.push_back(count); });
+  ASSERT_EQ(march.reached().size(), 142u * 142u);
+  ASSERT_GE(settled.size(), 142u * 142u / 4096);
+  for (std::size_t k = 1; k < settled.size(); ++k) EXPECT_EQ(settled[k] - settled[k - 1], 4096u);
+}
+
 INSTANTIATE_TEST_SUITE_P(Supported, LaneKernels, testing::ValuesIn(supported_lane_kernels()), [](const auto& kernel) {
   std::string name = kernel.param->name;
   name.erase(std::remove_if(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }),

@@ -1,22 +1,15 @@
 // The table of methods, and what every method promises.
 
 #include <cmath>
-#include <ostream>
 
 #include <gtest/gtest.h>
 
 #include <support/comparison.h>
 #include <support/hand_made.h>
 #include <support/noisy_shapes.h>
+#include <support/print_method.h>
 #include <support/progress_log.h>
 #include <support/smoothed_by.h>
-
-namespace vcg_core {
-
-/// For GoogleTest's messages.
-void PrintTo(const MethodInfo& info, std::ostream* out) { *out << info.name; }
-
-}  // namespace vcg_core
 
 namespace {
 

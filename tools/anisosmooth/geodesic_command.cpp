@@ -46,11 +46,12 @@ void run(const Options& options) {
     distance = vcg_core::geodesic_distances(mesh, static_cast<std::size_t>(options.start_vertex), bar.callback());
   }
   const std::vector<vcg_core::Rgb> colors = vcg_core::distance_colors(mesh, distance, options.isolines);
+  const bool in_floats = file.precision == mesh_tools::Precision::single_precision;
   double largest = 0;
   std::size_t unreached = 0;
   for (std::size_t i = 0; i < distance.size(); ++i) {
     auto& vertex = mesh.vert[i];
-    vertex.Q() = vcg_core::distance_quality(distance[i]);
+    vertex.Q() = in_floats ? vcg_core::distance_quality<float>(distance[i]) : vcg_core::distance_quality(distance[i]);
     vertex.C() = vcg::Color4b(colors[i].red, colors[i].green, colors[i].blue, 255);
     if (std::isfinite(distance[i]))
       largest = std::max(largest, distance[i]);

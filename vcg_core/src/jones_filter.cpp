@@ -27,7 +27,7 @@ Vec3 face_cross(const MeshArrays& mesh, const std::vector<Vec3>& position, std::
 FaceMeans face_means(const MeshArrays& mesh, const std::vector<Vec3>& position, Job& job) {
   const double unit = mesh.topology.average_edge_length;
   FaceMeans means{std::vector<Vec3>(mesh.face.size()), std::vector<double>(mesh.face.size())};
-  job.parallel(mesh.face.size(), 4096, [&](Chunks& chunks) {
+  job.parallel(mesh.face.size(), 4096, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
         const auto& face = mesh.face[f];
@@ -48,14 +48,15 @@ std::vector<Index> faces_with_area(const FaceMeans& means) {
 /// Of a Gaussian with standard deviation sigma.
 double exponent(double squared_argument, double sigma) { return -squared_argument / sigma / sigma / 2; }
 
-/// The vertices of the copy that lends its normals: all that have faces, movable or not.
+/// The vertices of the copy that lends its normals: all that have faces, movable or not. The progress
+/// bar waits meanwhile, so that it does not stand at its end through the predictions.
 std::vector<Vec3> mollified_positions(const PassInput& in, const FaceMeans& means, const std::vector<Index>& faces) {
   const double unit = in.mesh.topology.average_edge_length;
   const double sigma = in.parameters.sigma_c / 2;
   const PointGrid grid(means.centroid, faces, in.parameters.rho * sigma * unit);
-  in.job.report(0.1);
+  in.job.poll();
   std::vector<Vec3> mollified = in.position;
-  in.job.parallel(in.mesh.size(), 256, [&](Chunks& chunks) {
+  in.job.parallel(in.mesh.size(), 256, Loop::minor, [&](Chunks& chunks) {
     PointGrid::Search ball(grid);
     while (chunks.next())
       for (std::size_t i = chunks.begin(); i < chunks.end(); ++i) {
@@ -79,7 +80,7 @@ std::vector<Vec3> mollified_positions(const PassInput& in, const FaceMeans& mean
 /// Unit normals of the faces; zero for those without area.
 std::vector<Vec3> face_normals(const MeshArrays& mesh, const std::vector<Vec3>& position, Job& job) {
   std::vector<Vec3> normal(mesh.face.size());
-  job.parallel(mesh.face.size(), 4096, [&](Chunks& chunks) {
+  job.parallel(mesh.face.size(), 4096, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f)
         normal[f] = face_cross(mesh, position, f).stableNormalized();
@@ -97,9 +98,9 @@ PassOutput jones_pass(const PassInput& in) {
   const std::vector<Index> faces = faces_with_area(means);
   const std::vector<Vec3> normal = face_normals(in.mesh, mollified_positions(in, means, faces), in.job);
 
-  in.job.report(0.5);
+  in.job.poll();
   const PointGrid grid(means.centroid, faces, in.parameters.rho * sigma_c * unit);
-  in.job.report(0.5);
+  in.job.poll();
   PassOutput out{in.position};
   std::atomic<std::size_t> empty{0};
   in.job.parallel(in.mesh.size(), 256, [&](Chunks& chunks) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -25,9 +26,12 @@ struct Rgb {
 inline constexpr Rgb isoline_color{25, 25, 25};
 inline constexpr Rgb unreachable_color{128, 128, 128};
 
-/// The vertex quality that stands for a geodesic distance: the distance itself, and -1 where it is infinite, because
-/// files and programs take no infinity well and no distance is negative.
-inline double distance_quality(double distance) { return std::isfinite(distance) ? distance : -1.0; }
+/// The vertex quality that stands for a geodesic distance: the distance itself, and -1 where it is infinite, or more
+/// than a mesh in single precision can store: files and programs take no infinity well, and no distance is negative.
+template <class Quality = double>
+Quality distance_quality(double distance) {
+  return distance <= std::numeric_limits<Quality>::max() ? static_cast<Quality>(distance) : Quality(-1);
+}
 
 /// The colour at `fraction` in [0, 1] of the largest distance: from red at the source through yellow to blue. All of
 /// the ramp is bright enough for the dark iso-lines to stand out.

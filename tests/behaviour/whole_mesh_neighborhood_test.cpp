@@ -1,0 +1,61 @@
+// A neighbourhood that is the whole mesh, at 20,000 vertices: slow, but its memory is bounded, the bar moves, and it
+// can be cancelled.
+
+#include <cmath>
+#include <ostream>
+
+#include <gtest/gtest.h>
+
+#include <support/allocation_peak.h>
+#include <support/hand_made.h>
+#include <support/mesh_types.h>
+#include <support/progress_log.h>
+#include <support/raw_snapshot.h>
+#include <vcg_core/smoothing.h>
+
+namespace {
+
+using namespace test_support;
+using vcg_core::Arithmetic;
+using vcg_core::Method;
+using vcg_core::SmoothingParameters;
+
+struct Slow {
+  const char* name;
+  Method method;
+  Arithmetic arithmetic;
+  double enough;  ///< fraction of the whole at which it is cancelled, from 0.05, where the smoothing begins
+};
+
+/// For the names of tests.
+void PrintTo(const Slow& slow, std::ostream* out) { *out << slow.name; }
+
+class WholeMeshNeighborhood : public testing::TestWithParam<Slow> {};
+
+TEST_P(WholeMeshNeighborhood, HasBoundedMemoryMovesTheBarAndIsCancelled) {
+  DoubleMesh mesh;
+  fill(mesh, height_field(142, [](double x, double y) { return 0.1 * std::sin(9 * x) * std::cos(7 * y); }));
+  const RawSnapshot<DoubleMesh> untouched(mesh);
+  SmoothingParameters parameters;
+  parameters.boundary = vcg_core::Boundary::free;
+  parameters.rho = 1e6;
+  parameters.threads = 2;
+  parameters.arithmetic = GetParam().arithmetic;
+  // Then some of the neighbourhoods are done, all of the same size.
+  ProgressLog log([](const ProgressLog::Call& call) { return call.fraction < GetParam().enough; });
+  const AllocationPeak peak;
+  EXPECT_THROW(vcg_core::smooth(mesh, GetParam().method, parameters, log.callable()), vcg_core::Cancelled);
+  EXPECT_TRUE(untouched.unchanged());
+  EXPECT_LT(log.calls().back().fraction, 1) << "the bar moves step by step";
+  EXPECT_LT(peak.bytes(), 2000 * mesh.vert.size()) << "all neighbourhoods at once would be 20,000 times as much";
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, WholeMeshNeighborhood,
+                         testing::Values(Slow{"paper", Method::paper, Arithmetic::fast, 0.1},
+                                         Slow{"paper_in_reference_arithmetic", Method::paper, Arithmetic::reference,
+                                              0.052},
+                                         Slow{"bmd", Method::bmd, Arithmetic::fast, 0.1},
+                                         Slow{"jones", Method::jones, Arithmetic::fast, 0.3}),
+                         [](const auto& instance) { return instance.param.name; });
+
+}  // namespace

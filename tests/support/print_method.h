@@ -1,0 +1,12 @@
+#pragma once
+
+#include <ostream>
+
+#include <vcg_core/method.h>
+
+namespace vcg_core {
+
+/// For GoogleTest's messages, and for the names of tests.
+inline void PrintTo(const MethodInfo& info, std::ostream* out) { *out << info.name; }
+
+}  // namespace vcg_core
