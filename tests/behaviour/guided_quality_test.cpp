@@ -23,14 +23,45 @@ mesh_tools::Mesh copy_of(const mesh_tools::Mesh& mesh) {
   return copy;
 }
 
-Measurement after(Method method, const char* shape, std::size_t vertices, double level,
+Measurement after(Method method, const mesh_tools::Mesh& truth, double level,
                   NoiseDirection direction = NoiseDirection::normal) {
-  const mesh_tools::Mesh truth = mesh_tools::make_shape(shape, vertices);
   mesh_tools::Mesh noisy = copy_of(truth);
   if (level > 0) mesh_tools::add_noise(noisy, level, 3, direction);
   mesh_tools::Mesh result = copy_of(noisy);
   vcg_core::smooth(result, method, vcg_core::method_info(method).defaults);
   return mesh_tools::measure(result, truth, &noisy);
+}
+
+Measurement after(Method method, const char* shape, std::size_t vertices, double level,
+                  NoiseDirection direction = NoiseDirection::normal) {
+  return after(method, mesh_tools::make_shape(shape, vertices), level, direction);
+}
+
+/// Tube of radius 1 around the z axis, open at both ends; `around` vertices a ring, every second ring turned by half a
+/// step, so that all triangles are nearly equilateral.
+mesh_tools::Mesh cylinder(std::size_t around, std::size_t rings) {
+  const double step = 2 * std::acos(-1.0) / static_cast<double>(around);
+  test_support::FlatMesh flat;
+  for (std::size_t ring = 0; ring < rings; ++ring)
+    for (std::size_t k = 0; k < around; ++k) {
+      const double angle = step * (static_cast<double>(k) + (ring % 2 == 0 ? 0.0 : 0.5));
+      flat.points.emplace_back(std::cos(angle), std::sin(angle), step * std::sqrt(0.75) * static_cast<double>(ring));
+    }
+  for (std::size_t ring = 0; ring + 1 < rings; ++ring)
+    for (std::size_t k = 0; k < around; ++k) {
+      const std::size_t next = (k + 1) % around;
+      const std::size_t below = ring * around, above = below + around;
+      if (ring % 2 == 0) {
+        flat.faces.push_back({below + k, below + next, above + k});
+        flat.faces.push_back({below + next, above + next, above + k});
+      } else {
+        flat.faces.push_back({below + k, above + next, above + k});
+        flat.faces.push_back({below + k, below + next, above + next});
+      }
+    }
+  mesh_tools::Mesh mesh;
+  test_support::fill(mesh, flat);
+  return mesh;
 }
 
 struct Bound {
@@ -80,6 +111,26 @@ TEST(GuidedCleanMesh, IsLeftAlone) {
     EXPECT_LT(found.distance_rms, 0.02) << shape;
     EXPECT_LT(std::abs(found.volume_change_percent.value_or(0)), 0.1) << shape;
   }
+}
+
+// Normals of a cylinder are the same along it and turn around it: what is filtered along a curvature must not shrink it.
+TEST(GuidedCylinder, StaysAndComesBack) {
+  const mesh_tools::Mesh truth = cylinder(48, 40);
+  EXPECT_LT(after(Method::guided, truth, 0).distance_rms, 0.02);
+  for (const double level : {0.1, 0.2, 0.3}) {
+    const Measurement noisy = after(Method::guided, truth, level);
+    EXPECT_LT(noisy.normal_error.mean, 8 * level) << level;
+    EXPECT_LT(noisy.distance_rms, 0.3 * level) << level;
+    EXPECT_EQ(noisy.flipped_faces, 0u) << level;
+  }
+}
+
+// The same noise is more of an edge length where edges are short; it is still removed as on a uniform mesh.
+TEST(GuidedGradedMesh, IsNoMuchWorseThanAUniformOne) {
+  for (const double level : {0.1, 0.2, 0.3})
+    EXPECT_LT(after(Method::guided, "graded_cube", 3000, level).normal_error.mean,
+              4.0 / 3 * after(Method::guided, "cube", 3000, level).normal_error.mean)
+        << level;
 }
 
 TEST(GuidedNoise, IsTakenAwayBetterThanByThePaper) {

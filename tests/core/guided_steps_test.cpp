@@ -45,7 +45,7 @@ class GuidedSteps : public testing::Test {
     faces.measure(mesh, mesh.position, job);
     across = faces_across(mesh, job);
     around = faces_around(mesh, across, job);
-    spacing = local_spacing(mesh, true, job);
+    spacing = local_spacing(mesh, true, 0, job);
     within = faces_within(around, faces.centroid, spacing, 1.9, job);
     movable.assign(mesh.size(), 1);
   }

@@ -148,13 +148,14 @@ FaceLists faces_around(const MeshArrays& mesh, const std::vector<Index>& across,
   });
 }
 
-std::vector<double> local_spacing(const MeshArrays& mesh, bool follow_edge_length, Job& job) {
+std::vector<double> local_spacing(const MeshArrays& mesh, bool follow_edge_length, double least, Job& job) {
   constexpr int rings = 3;
   constexpr double centroids_per_edge = 0.6;  // about: 1 / sqrt(3) between equilateral triangles
   constexpr double shortest = 1e-6;           // |e|; a neighbourhood has an extent even where all vertices coincide
   const double e = mesh.topology.average_edge_length;
   std::vector<double> spacing(mesh.face.size(), centroids_per_edge * e);
   if (!follow_edge_length) return spacing;
+  const double limit = std::max(std::min(least, centroids_per_edge * e), shortest * e);
   std::vector<double> length(mesh.size());
   job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
@@ -164,7 +165,7 @@ std::vector<double> local_spacing(const MeshArrays& mesh, bool follow_edge_lengt
   for (int ring = 0; ring < rings; ++ring) length = mean_over_ring(mesh, length, job);
   for (std::size_t f = 0; f < spacing.size(); ++f) {
     const auto& v = mesh.face[f];
-    spacing[f] = std::max(centroids_per_edge * (length[v[0]] + length[v[1]] + length[v[2]]) / 3, shortest * e);
+    spacing[f] = std::max(centroids_per_edge * (length[v[0]] + length[v[1]] + length[v[2]]) / 3, limit);
   }
   return spacing;
 }

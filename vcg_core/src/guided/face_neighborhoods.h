@@ -29,7 +29,9 @@ FaceLists faces_around(const MeshArrays& mesh, const std::vector<Index>& across,
 
 /// Mean distance of adjoining centroids around each face: 0.6 times the mean edge length at its vertices, smoothed over
 /// three rings, so that neighbourhoods follow the mesh where edges become shorter or longer.
-std::vector<double> local_spacing(const MeshArrays& mesh, bool follow_edge_length, Job& job);
+/// @param least  in units of the positions: where edges are shorter, the spacing is this, or that of the average edge
+///               if that is less
+std::vector<double> local_spacing(const MeshArrays& mesh, bool follow_edge_length, double least, Job& job);
 
 /// For each face those with a centroid closer than radius * spacing[f] that faces of this kind connect with it: a ball
 /// that does not leak to a sheet that is near in space and far on the surface. At least the faces around it where that

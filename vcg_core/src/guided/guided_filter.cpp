@@ -44,16 +44,16 @@ class GuidedRun {
   void find_neighbourhoods() {
     across_ = faces_across(in_.mesh, job_);
     around_ = faces_around(in_.mesh, across_, job_);
-    spacing_ = local_spacing(in_.mesh, settings_.follow_edge_length, job_);
     faces_.measure(in_.mesh, position_, job_);
     normal_ = faces_.normal;
+    noise_ = settings_.noise_scale * estimate_noise(in_.mesh, in_.position, faces_, job_);
+    spacing_ = local_spacing(in_.mesh, settings_.follow_edge_length, settings_.noise_spacing * noise_, job_);
     within_ = faces_within(around_, faces_.centroid, spacing_, settings_.radius, job_);
     job_.report(0.1);
   }
 
   int rounds_for_noise() const {
-    const double noise = settings_.noise_scale * estimate_noise(in_.mesh, in_.position, faces_, job_);
-    const double rounds = settings_.rounds_by_noise * noise / in_.mesh.topology.average_edge_length;
+    const double rounds = settings_.rounds_by_noise * noise_ / in_.mesh.topology.average_edge_length;
     return static_cast<int>(std::lround(std::clamp<double>(rounds, settings_.fewest_rounds, settings_.most_rounds)));
   }
 
@@ -86,6 +86,7 @@ class GuidedRun {
   FaceLists within_;
   std::vector<double> spacing_;
   FaceGeometry faces_;
+  double noise_ = 0;  ///< standard deviation, in units of the positions
 };
 
 }  // namespace
