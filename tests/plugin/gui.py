@@ -114,7 +114,9 @@ class Gui:
     # MeshLab's ways
 
     def open_filter(self, name):
-        """Finds a filter by the search box and opens its dialog."""
+        """Finds a filter by the search box and opens its dialog, anew if it is open."""
+        title = "^" + re.escape(name)
+        old = self.find(title)
         self.focus(self.main)
         before = self.pixels("480x160+905+82")
         self.keys("ctrl+f")
@@ -122,7 +124,8 @@ class Gui:
         self._wait(lambda: self.pixels("480x160+905+82") != before, "the search box")
         self.settled_picture("search", region="480x160+905+82")
         self.keys("Down", "Return")
-        dialog = self.window("^" + re.escape(name))
+        dialog = self._wait(lambda: self.find(title) not in (None, old) and self.find(title), f"window '{title}'")
+        self.focus(dialog)
         self.stops = self.meshlab.dialog_stops(list(scripts.DEFAULTS[name]))
         self.stop = 0
         self.dialog = dialog

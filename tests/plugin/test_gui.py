@@ -45,7 +45,7 @@ class Dialog(unittest.TestCase):
 
     def test_preview_apply_and_export(self):
         gui = self.start(noisy, "smoothing")
-        dialog = gui.open_filter(scripts.SMOOTHING)
+        gui.open_filter(scripts.SMOOTHING)
 
         gui.toggle_preview()
         gui.wait_for_log("Applied filter")
@@ -58,7 +58,7 @@ class Dialog(unittest.TestCase):
         self.assert_same_picture(gui.settled_picture("preview_off_again", unlike=shown), hidden)
         self.assertEqual(ply.positions(gui.export(work / "after_preview.ply")), ply.positions(noisy))
 
-        gui.focus(dialog)
+        gui.open_filter(scripts.SMOOTHING)  # anew: where the keyboard is after saving differs between MeshLabs
         gui.set_field("sigma_n", "0.2")
         applied = gui.applied()
         gui.press("Apply")
@@ -120,13 +120,13 @@ class Dialog(unittest.TestCase):
 
     def test_geodesic_distance_is_shown_in_colour_and_restored(self):
         gui = self.start(noisy, "geodesic")
-        dialog = gui.open_filter(scripts.GEODESIC)
+        gui.open_filter(scripts.GEODESIC)
         gui.toggle_preview()
         gui.wait_for_log("Applied filter")
         shown = gui.settled_picture("preview_on")
         gui.toggle_preview()
         hidden = gui.settled_picture("preview_off", unlike=shown)
-        gui.focus(dialog)
+        gui.open_filter(scripts.GEODESIC)
         gui.press("Apply")
         gui.wait_for_log("Applied filter", 2)
         self.assert_same_picture(gui.settled_picture("applied", unlike=hidden), shown)
