@@ -22,9 +22,9 @@ set(CPACK_DEBIAN_PLUGIN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1~${distribution})
 set(CPACK_DEBIAN_PLUGIN_PACKAGE_DEPENDS "meshlab (= ${meshlab_package_version})")
 set(CPACK_DEBIAN_PLUGIN_PACKAGE_SECTION graphics)
-set(CPACK_COMPONENT_PLUGIN_DESCRIPTION "Anisotropic feature-preserving smoothing for MeshLab
- Filters that remove noise from triangle meshes and keep their sharp edges, in
- MeshLab's window and scripts.")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Anisotropic feature-preserving smoothing for MeshLab")
+set(CPACK_COMPONENT_PLUGIN_DESCRIPTION
+  "Filters that remove noise from triangle meshes and keep their sharp edges, in MeshLab's window and scripts.")
 set(CPACK_STRIP_FILES ON)
 # Packed is what has been built: a package of the plugin asks for no tests.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)

@@ -33,18 +33,16 @@ SYSTEM_LIBRARIES = ("-DEIGEN3_INCLUDE_DIR=/usr/include/eigen3", "-DGLEW_VERSION=
 WITHOUT_OPTIONAL = {name: "OFF" for name in ("MESHLAB_ALLOW_OPTIONAL_EXTERNAL_LIBRARIES",
                                              "ALLOW_OPTIONAL_EXTERNAL_MESHLAB_LIBRARIES")}
 
+# Imported targets live in the folder that asks for them: the plugin needs them from the top.
 EXTRA_PLUGINS = """
-cmake_minimum_required(VERSION 3.13)
+cmake_minimum_required(VERSION 3.25)
 project(layout_of_meshlab_extra_plugins)
-set(MESHLAB_SRC_DIR ${CMAKE_CURRENT_SOURCE_DIR}/meshlab/src)
-include(${MESHLAB_SRC_DIR}/cmake/meshlab_global_settings.cmake)
-include(${MESHLAB_SRC_DIR}/cmake/meshlab_tools.cmake)
 find_package(OpenGL REQUIRED)
-find_package(Qt5 COMPONENTS OpenGL Xml Network REQUIRED)
-find_package(GLEW)
+find_package(Qt5 REQUIRED COMPONENTS OpenGL Xml Network)
+find_package(GLEW REQUIRED)
 set(MESHLAB_PLUGINS meshlabplugins/io_base)
 set(BUILD_ONLY_MESHLAB_LIBRARIES ON)
-add_subdirectory(${MESHLAB_SRC_DIR})
+add_subdirectory(meshlab/src)
 add_subdirectory(plugins/filter_anisotropic_smooth)
 """
 

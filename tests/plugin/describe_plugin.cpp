@@ -38,6 +38,7 @@ struct Filter {
   }
   bool apply(MeshDocument& document, const RichParameterList& values, Report& report) const {
     unsigned int changed = 0;
+    plugin.setLog(&document.Log);
     try {
       report = plugin.applyFilter(action, values, document, changed, nullptr);
       return true;
@@ -52,6 +53,7 @@ struct Filter {
     return list;
   }
   bool apply(MeshDocument& document, const RichParameterList& values, Report& /*report*/) const {
+    plugin.setLog(&document.Log);
     return plugin.applyFilter(action, document, values, nullptr);
   }
 #endif
@@ -89,7 +91,6 @@ Json value_of(const RichParameter& parameter, const RichParameterList& list) {
 bool takes(const Filter& filter, const RichParameter& parameter, int value) {
   MeshDocument document;
   add_mesh(document);
-  filter.plugin.setLog(&document.Log);
   RichParameterList values = filter.parameters(document);
   if (parameter.stringType() == "RichFloat") {
     values.setValue(parameter.name(), FloatValue(static_cast<float>(value)));
@@ -122,7 +123,6 @@ Json describe(const Filter& filter, const RichParameter& parameter, const RichPa
 Json describe(const Filter& filter) {
   MeshDocument document;
   add_mesh(document);
-  filter.plugin.setLog(&document.Log);
   const RichParameterList parameters = filter.parameters(document);
   Json result;
   result["name"] = filter.action->text().toStdString();
