@@ -113,7 +113,8 @@ TEST(GuidedCleanMesh, IsLeftAlone) {
   }
 }
 
-// Normals of a cylinder are the same along it and turn around it: what is filtered along a curvature must not shrink it.
+// Normals of a cylinder are the same along it and turn around it: what is filtered along a curvature must not shrink
+// it.
 TEST(GuidedCylinder, StaysAndComesBack) {
   const mesh_tools::Mesh truth = cylinder(48, 40);
   EXPECT_LT(after(Method::guided, truth, 0).distance_rms, 0.02);

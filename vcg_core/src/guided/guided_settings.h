@@ -12,7 +12,8 @@ struct GuidedSettings {
   double radius = 1.9;
   double closeness = 1.0;
   /// No spacing is less than this many standard deviations of the noise, up to the spacing of the mesh's average edge:
-  /// where edges are short, the same noise is more of an edge length, and it takes as wide a neighbourhood to remove it.
+  /// where edges are short, the same noise is more of an edge length, and it takes as wide a neighbourhood to remove
+  /// it.
   double noise_spacing = 2.5;
 
   /// 0: `rounds_by_noise` times the noise in |e|, from fewest to most.
