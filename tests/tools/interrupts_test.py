@@ -9,7 +9,7 @@ import unittest
 
 from command_line import PROGRAM, CommandLine
 
-MOMENTS = 12
+MOMENTS = 10
 COMMANDS = {
     "paper": ["smooth", "noisy.ply", "out.ply", "--sigma-c", "3", "--report", "report.json"],
     "text": ["smooth", "noisy.obj", "out.obj", "--method", "taubin"],
@@ -17,7 +17,7 @@ COMMANDS = {
     "jones": ["smooth", "noisy.ply", "out.ply", "--method", "jones"],
     "geodesic": ["geodesic", "noisy.ply", "out.ply", "--start-vertex", "0"],
     "noise": ["noise", "swapped.ply", "out.off", "--level", "0.1"],
-    "generate": ["generate", "plane_delaunay", "out.stl", "--vertices", "30000"],
+    "generate": ["generate", "plane_delaunay", "out.stl", "--vertices", "20000"],
     "measure": ["measure", "noisy.ply", "clean.ply"],
     "compare": ["compare", "noisy.ply", "clean.ply", "--out", "results", "--no-pictures"],
 }
@@ -33,7 +33,7 @@ def catches_signals(process):
 class Interrupts(CommandLine):
     def setUp(self):
         super().setUp()
-        self.noisy("cad_part", "20000")
+        self.noisy("cad_part", "6000")
         self.run_tool("noise", "noisy.ply", "noisy.obj", "--level", "0")
         data = self.bytes_of("noisy.ply")
         head, body = data.split(b"end_header\n", 1)

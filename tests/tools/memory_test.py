@@ -8,7 +8,7 @@ import unittest
 from command_line import PROGRAM, CommandLine
 
 MIB = 1 << 20
-STEPS = 24
+STEPS = 16
 COMMANDS = {
     "paper": ["smooth", "noisy.ply", "out.ply", "--threads", "3", "--report", "report.json"],
     "guided": ["smooth", "noisy.ply", "out.ply", "--method", "guided", "--threads", "3"],
@@ -19,7 +19,7 @@ COMMANDS = {
     "stl": ["noise", "noisy.stl", "out.stl", "--level", "0.1"],
     "geodesic": ["geodesic", "noisy.ply", "out.ply", "--start-vertex", "0"],
     "measure": ["measure", "noisy.ply", "clean.ply"],
-    "generate": ["generate", "plane_delaunay", "out.ply", "--vertices", "20000"],
+    "generate": ["generate", "plane_delaunay", "out.ply", "--vertices", "6000"],
     "compare": ["compare", "noisy.ply", "clean.ply", "--out", "results", "--no-pictures", "--threads", "3"],
 }
 
@@ -29,7 +29,7 @@ class Memory(CommandLine):
         super().setUp()
         if os.environ.get("ANISO_SANITIZE"):
             self.skipTest("sanitizers need an address space without limit")
-        self.noisy("cad_part", "20000")
+        self.noisy("cad_part", "6000")
         for kind in ("obj", "off", "stl"):
             self.run_tool("noise", "noisy.ply", f"noisy.{kind}", "--level", "0")
 
