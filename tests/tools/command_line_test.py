@@ -1,18 +1,16 @@
-"""The command line from end to end: exit statuses, messages, files. ANISOSMOOTH names the program."""
+"""The command line from end to end: exit statuses, messages, files."""
 
 import json
 import math
 import os
 import pty
-import shutil
 import signal
 import struct
 import subprocess
-import tempfile
 import time
 import unittest
 
-PROGRAM = os.path.abspath(os.environ["ANISOSMOOTH"])
+from command_line import PROGRAM, CommandLine
 
 
 def read_ply(path):
@@ -35,38 +33,7 @@ def read_ply(path):
     return head, rows, body[count * size:]
 
 
-class CommandLine(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.mkdtemp()
-        self.addCleanup(shutil.rmtree, self.folder)
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
-
-    def run_tool(self, *arguments, status=0):
-        result = subprocess.run([PROGRAM, *arguments], cwd=self.folder, capture_output=True, text=True, timeout=60)
-        self.assertEqual(result.returncode, status, f"{arguments}: {result.stdout}{result.stderr}")
-        return result
-
-    def noisy(self, shape="cad_part", vertices="3000", *options):
-        self.run_tool("generate", shape, "clean.ply", "--vertices", vertices, *options)
-        self.run_tool("noise", "clean.ply", "noisy.ply", "--level", "0.2", "--seed", "3")
-
-    def bytes_of(self, name):
-        with open(self.path(name), "rb") as file:
-            return file.read()
-
-    def expect_failure(self, *arguments, says, status=1):
-        """One line on stderr, nothing on stdout, no file made or changed."""
-        before = {name: self.bytes_of(name) for name in os.listdir(self.folder)}
-        result = self.run_tool(*arguments, status=status)
-        self.assertEqual(result.stdout, "")
-        for text in says if isinstance(says, tuple) else (says,):
-            self.assertIn(text, result.stderr)
-        if status == 1:
-            self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
-        self.assertEqual({name: self.bytes_of(name) for name in os.listdir(self.folder)}, before)
-
+class Subcommands(CommandLine):
     # what works
 
     def test_smoothing_brings_the_mesh_nearer_to_the_truth(self):

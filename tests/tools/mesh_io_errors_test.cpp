@@ -74,14 +74,63 @@ TEST_F(MeshIoErrors, ply_whose_binary_data_are_cut_off) {
   expect_error(write("a.ply", whole.substr(0, whole.size() - 1)), "cut off");
 }
 
-/// vcglib reads these lists into arrays of fixed size.
-TEST_F(MeshIoErrors, ply_with_lists_that_overrun_the_importer) {
+TEST_F(MeshIoErrors, ply_with_too_many_texture_coordinates) {
   std::string text =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
       "element face 1\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\nend_header\n" +
       three_vertices + "3 0 1 2 40";
   for (int i = 0; i < 40; ++i) text += " 0.5";
-  expect_error(write("a.ply", text + "\n"), "at most 32");
+  expect_error(write("a.ply", text + "\n"), "has 40 texture coordinates; allowed are 6");
+}
+
+/// What vcglib's importer takes on trust.
+TEST_F(MeshIoErrors, ply_with_indices_out_of_range) {
+  const std::string head =
+      "ply\nformat ascii 1.0\ncomment num_cols 2\ncomment num_rows 2\nelement vertex 3\n"
+      "property float x\nproperty float y\nproperty float z\n";
+  const auto expect = [&](const std::string& element, const std::string& data, const std::string& what) {
+    expect_error(write("a.ply", head + element + "end_header\n" + three_vertices + data), what);
+  };
+  const std::string faces = "element face 1\nproperty list uchar int vertex_indices\n";
+  for (const char* last : {"3", "-1", "2147483647"})
+    expect(faces, std::string("4 0 1 2 ") + last, "face 0 has vertex index " + std::string(last));
+  const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n";
+  for (const char* strip : {"3 0 1 3", "3 0 3 1", "3 0 -2 1", "5 0 -1 0 1 9"})
+    expect(strips, strip, "tristrips 0 has vertex index ");
+  const std::string edges = "element edge 1\nproperty int vertex1\nproperty int vertex2\n";
+  expect(edges, "0 3", "edge 0 has vertex index 3");
+  const std::string grid = "property list uchar int vertex_indices\n";
+  expect("element range_grid 4\n" + grid, "1 0 1 1 1 3 0", "range_grid 2 has vertex index 3");
+  expect("element range_grid 5\n" + grid, "1 0 1 1 1 2 0 0", "num_cols times num_rows");
+}
+
+TEST_F(MeshIoErrors, ply_with_numbers_that_do_not_fit) {
+  for (const char* corner : {"2.0", "0x2", "2x", "99999999999", "1e0", "nan", ""})
+    expect_error(write("a.ply", ply_head + three_vertices + "3 0 1 " + corner + "\n"), "face 0");
+  expect_error(write("a.ply", ply_head + three_vertices + "300 0 1 2\n"), "'300'");
+  expect_error(write("a.ply", ply_head + three_vertices + "-1 0 1 2\n"), "'-1'");
+  expect_error(write("a.ply", ply_head + "0 0 0x\n1 0 0\n0 1 0\n3 0 1 2\n"), "vertex 0");
+}
+
+TEST_F(MeshIoErrors, ply_whose_header_promises_too_much) {
+  const std::string vertex = "property float x\nproperty float y\nproperty float z\n";
+  const auto expect = [&](const std::string& lines, const std::string& what) {
+    expect_error(write("a.ply", "ply\nformat ascii 1.0\n" + lines + "end_header\n" + three_vertices), what);
+  };
+  expect("element vertex 2147483647\n" + vertex, "is cut off");
+  expect("element vertex 4294967296\n" + vertex, "is not a count");
+  expect("element vertex 3\n" + vertex + "element face 2147483647\nproperty list uchar int vertex_indices\n",
+         "is cut off");
+  expect("element vertex 3\n" + vertex + "element nothing 2147483647\n", "without any property");
+  expect("element vertex 3\n" + vertex + "element vertex 3\n" + vertex, "declared twice");
+  expect("element vertex 3\n" + vertex + "property float x\n", "declared twice");
+  expect("element vertex 3\n" + vertex + "element face 1\nproperty int material\n", "without 'vertex_indices'");
+  expect("element vertex\a 3\n" + vertex, "needs a name");
+}
+
+TEST_F(MeshIoErrors, words_of_a_file_are_cut_short_in_messages) {
+  expect_error(write("a.obj", "v 0 0 " + std::string(100000, 'x') + "\n"), std::string(40, 'x') + "...'");
+  expect_error(write("a.off", "OFF\n1 0 0\n0 0 \x1b[31m\n"), "'?[31m' is not a number");
 }
 
 TEST_F(MeshIoErrors, ply_with_vertices_of_an_unknown_kind) {

@@ -165,6 +165,44 @@ TEST_F(MeshIo, ply_names_properties_that_it_cannot_keep) {
   EXPECT_NE(file.warnings[0].find("vertex.curvature, face.region"), std::string::npos) << file.warnings[0];
 }
 
+/// Triangle strips, as the Stanford scans have them, and a scanner's grid with a hole.
+TEST_F(MeshIo, ply_reads_strips_and_range_grids) {
+  const std::string head =
+      "ply\nformat ascii 1.0\ncomment num_cols 2\nobj_info num_rows 2\nelement vertex 4\n"
+      "property float x\nproperty float y\nproperty float z\n";
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
+  const auto normals = [&](const std::string& element, const std::string& data) {
+    std::vector<double> z;
+    for (const auto& face :
+         mesh_tools::read_mesh(write("a.ply", head + element + "end_header\n" + points + data)).mesh.face)
+      z.push_back(((face.cP(1) - face.cP(0)) ^ (face.cP(2) - face.cP(0)))[2]);
+    return z;
+  };
+  using Normals = std::vector<double>;
+  const std::string strips = "element tristrips 2\nproperty list int int vertex_indices\n";
+  EXPECT_EQ(normals(strips, "4 0 1 2 3\n9 0 1 2 -1 1 3 2 -1 0\n"), (Normals{1, 1, 1, 1}));
+  EXPECT_EQ(normals(strips, "0\n3 -1 -1 2\n"), Normals{});
+  const std::string grid = "element range_grid 4\nproperty list uchar int vertex_indices\n";
+  EXPECT_EQ(normals(grid, "1 0\n1 1\n1 2\n1 3\n").size(), 2u);
+}
+
+/// Found by the fuzzer.
+TEST_F(MeshIo, ply_with_a_texture_number_beyond_vcglibs_type) {
+  const MeshFile file = mesh_tools::read_mesh(
+      write("a.ply",
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+            "element face 1\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n"
+            "property int texnumber\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 6 0 0 1 0 0 1 13132000\n"));
+  EXPECT_EQ(file.mesh.face[0].cWT(0).n(), 32767);
+}
+
+/// vcglib's AddFace aborts on them where assertions are on.
+TEST_F(MeshIo, faces_with_a_repeated_vertex_are_read) {
+  for (const auto& file : {write("a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1\n3 0 1 2\n"),
+                           write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 2\nf 1 2 3\n")})
+    EXPECT_EQ(mesh_tools::read_mesh(file).mesh.fn, 2) << file;
+}
+
 TEST_F(MeshIo, ply_reads_confidence_right_in_double_precision) {
   const MeshFile file = mesh_tools::read_mesh(
       write("a.ply",

@@ -2,6 +2,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <stdexcept>
 #include <vector>
 
 #include <mesh_tools/mesh_io.h>
@@ -18,6 +19,8 @@ void print_warnings(const std::vector<std::string>& warnings) {
 
 namespace {
 
+constexpr char no_memory[] = "not enough memory for this mesh";
+
 constexpr Command commands[] = {
     {"smooth", "Smooth a mesh and keep its edges", declare_smooth},
     {"geodesic", "Geodesic distances from a vertex, as vertex quality and colour", declare_geodesic},
@@ -27,7 +30,8 @@ constexpr Command commands[] = {
     {"generate", "Make a test shape", declare_generate},
 };
 
-int fail(const std::string& what) {
+/// Allocates nothing: there may be no memory left.
+int fail(const char* what) {
   std::cerr << "anisosmooth: " << what << "\n";
   return bad_input;
 }
@@ -51,14 +55,16 @@ int run(int argc, char** argv) {
   try {
     work();
     std::cout.flush();
-    if (!std::cout) return fail("standard output cannot be written");
+    if (std::fflush(stdout) != 0 || !std::cout) return fail("standard output cannot be written");
     return done;
   } catch (const vcg_core::Cancelled&) {
     return interrupted_status;
   } catch (const mesh_tools::WriteInterrupted&) {
     return interrupted_status;
   } catch (const std::bad_alloc&) {
-    return fail("not enough memory for this mesh");
+    return fail(no_memory);
+  } catch (const std::length_error&) {  // more than the address space could hold
+    return fail(no_memory);
   } catch (const std::exception& error) {
     return fail(error.what());
   }
@@ -71,6 +77,8 @@ int main(int argc, char** argv) {
   try {
     anisosmooth::handle_interrupts();
     return anisosmooth::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    return anisosmooth::fail(anisosmooth::no_memory);
   } catch (...) {  // run() reports what it knows; here even that failed, as when no memory is left
     std::fputs("anisosmooth: unexpected failure\n", stderr);
     return anisosmooth::bad_input;

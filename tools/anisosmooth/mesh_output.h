@@ -10,9 +10,17 @@
 namespace anisosmooth {
 
 /// Writes the mesh, complete or not at all, also when the user interrupts meanwhile; prints warnings.
-inline void write_output(const mesh_tools::MeshFile& file, const std::string& path) {
+/// @param with  appears together with the mesh, or neither of them
+inline void write_output(const mesh_tools::MeshFile& file, const std::string& path,
+                         const mesh_tools::TextFile* with = nullptr) {
   const CooperativeInterrupt scope;
-  print_warnings(mesh_tools::write_mesh(file, path, interrupted));
+  print_warnings(mesh_tools::write_mesh(file, path, interrupted, with));
+}
+
+/// The same for a text alone.
+inline void write_output(const mesh_tools::TextFile& file) {
+  const CooperativeInterrupt scope;
+  mesh_tools::write_text(file, interrupted);
 }
 
 /// Reads a mesh and prints warnings.

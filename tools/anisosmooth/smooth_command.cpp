@@ -130,12 +130,13 @@ void run(const Options& options) {
     report = smooth_file(file, method.method, parameters, bar.callback()).report;
   }
   if (file.attributes & mesh_tools::normal_attributes) mesh_tools::update_normals(file.mesh);
-  write_output(file, options.output);
+  std::optional<mesh_tools::TextFile> text;
   if (!options.report.empty()) {
     nlohmann::ordered_json json = {{"method", method.name}, {"parameters", to_json(method, parameters)}};
     json.update(to_json(report));
-    mesh_tools::write_text(json.dump(2) + "\n", options.report);
+    text = {options.report, json.dump(2) + "\n"};
   }
+  write_output(file, options.output, text ? &*text : nullptr);
   print_warnings(report.warnings());
   if (!options.quiet) print_summary(options, method, report);
 }

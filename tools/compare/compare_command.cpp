@@ -51,7 +51,6 @@ Comparison run_comparison(const Options& options) {
   mesh_tools::MeshFile noisy = read_input(options.noisy);
   std::optional<mesh_tools::MeshFile> reference;
   if (!options.reference.empty()) reference.emplace(read_input(options.reference));
-  const CooperativeInterrupt scope;
   ProgressBar bar(options.quiet);
   return compare_methods(std::move(noisy), std::move(reference), options.threads, bar.callback());
 }
@@ -75,10 +74,10 @@ void write_reports(const Options& options, const Comparison& comparison, const P
   if (!options.reference.empty()) json["reference"] = options.reference;
   json.update(to_json(comparison));
   json["pictures"] = pictures.files;
-  mesh_tools::write_text(json.dump(2) + "\n", folder / "report.json");
+  write_output(mesh_tools::TextFile{folder / "report.json", json.dump(2) + "\n"});
   const auto name = [](const std::string& path) { return fs::path(path).filename().string(); };
-  mesh_tools::write_text(to_markdown(comparison, name(options.noisy), name(options.reference), pictures.files),
-                         folder / "report.md");
+  write_output(mesh_tools::TextFile{
+      folder / "report.md", to_markdown(comparison, name(options.noisy), name(options.reference), pictures.files)});
 }
 
 void print_summary(const Comparison& comparison, const std::string& folder) {

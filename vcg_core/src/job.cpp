@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -105,6 +106,8 @@ void Job::parallel(std::size_t count, std::size_t grain, Loop loop, const std::f
     while (workers.size() + 1 < wanted) workers.emplace_back([&] { shared.run(body, false); });
   } catch (const std::system_error&) {
     // The system has no more threads to give: those that started, and this one, do the work.
+  } catch (const std::bad_alloc&) {
+    // The same. Left uncaught, this would end the program, as threads are running.
   }
   shared.run(body, true);
   for (std::thread& worker : workers) worker.join();

@@ -38,11 +38,16 @@ struct MeshFile {
   std::vector<std::string> warnings;  ///< what could not be kept, in sentences
 };
 
-/// Reads PLY, OBJ, OFF or STL, told by the extension. PLY is read by vcglib's importer, after a check of the whole
-/// file, for it trusts what it reads. The others are read by readers of our own: vcglib's OBJ importer of MeshLab
-/// 2020.09 drops every face that refers to the first vertex, its OFF importer does not check indices, its STL importer
-/// runs past a buffer. Polygons are cut into fans of triangles. STL knows no shared vertices: those at exactly the same
-/// place are merged.
+/// A text and where it goes.
+struct TextFile {
+  std::filesystem::path path;
+  std::string text;
+};
+
+/// Reads PLY, OBJ, OFF or STL, told by the extension, by readers of our own: of vcglib's importers of MeshLab 2020.09
+/// the one of PLY does not check the last corner of polygons, strips and grids, the one of OBJ drops every face that
+/// refers to the first vertex, the one of OFF does not check indices, the one of STL runs past a buffer. Polygons are
+/// cut into fans of triangles. STL knows no shared vertices: those at exactly the same place are merged.
 /// @throws FileError
 MeshFile read_mesh(const std::filesystem::path& path);
 
@@ -51,10 +56,11 @@ MeshFile read_mesh(const std::filesystem::path& path);
 /// precision. The file appears complete or not at all: it is written beside its place, checked, and renamed. Text has
 /// the digits that give the same number back.
 /// @param interrupted  asked just before the renaming; true: stop, leave nothing
+/// @param with         a text file that appears together with the mesh, or neither of them
 /// @return             sentences about attributes that the format cannot hold
 /// @throws FileError, WriteInterrupted
 std::vector<std::string> write_mesh(const MeshFile& file, const std::filesystem::path& path,
-                                    const std::function<bool()>& interrupted = {});
+                                    const std::function<bool()>& interrupted = {}, const TextFile* with = nullptr);
 
 /// Throws FileError unless a mesh can be written to `path`: known extension, existing folder, nothing but a regular
 /// file in its place. Cheap: to be asked before long work.
@@ -64,7 +70,8 @@ void check_writable(const std::filesystem::path& path);
 void check_text_writable(const std::filesystem::path& path);
 
 /// Writes a text file in the same way: complete or not at all.
-void write_text(const std::string& text, const std::filesystem::path& path);
+/// @throws FileError, WriteInterrupted
+void write_text(const TextFile& file, const std::function<bool()>& interrupted = {});
 
 /// Recomputes vertex and face normals from positions.
 void update_normals(Mesh& mesh);

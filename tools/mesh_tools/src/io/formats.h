@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include <mesh_tools/mesh_io.h>
 
@@ -40,6 +41,9 @@ constexpr int stl_attributes = face_color;
 /// "FILE: what" as a FileError.
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& what);
 [[noreturn]] void fail_at_line(const std::filesystem::path& path, std::size_t line, const std::string& what);
+
+/// A word of a file as part of a message: cut short, without control characters.
+std::string printable(std::string_view word);
 
 bool is_big_endian_machine();
 

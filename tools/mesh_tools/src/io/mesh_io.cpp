@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <system_error>
 
 #include <vcg/complex/algorithms/update/normal.h>
@@ -24,6 +25,14 @@ void fail_at_line(const fs::path& path, std::size_t line, const std::string& wha
   throw FileError(path.string() + ", line " + std::to_string(line) + ": " + what);
 }
 
+std::string printable(std::string_view word) {
+  constexpr std::size_t longest = 40;
+  std::string text(word.substr(0, longest));
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+  return word.size() > longest ? text + "..." : text;
+}
+
 bool is_big_endian_machine() {
   const std::uint16_t one = 1;
   unsigned char first = 0;
@@ -32,10 +41,13 @@ bool is_big_endian_machine() {
 }
 
 std::string read_bytes(const fs::path& path) {
+  std::error_code error;
+  // Anything else could keep the program waiting, or never end.
+  if (!fs::is_regular_file(path, error))
+    fail(path, "cannot be read: there is no such file, or it is not a regular one");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) fail(path, std::string("cannot be read: ") + std::strerror(errno));
   std::string bytes;
-  std::error_code error;
   bytes.resize(fs::file_size(path, error));
   if (error) fail(path, "cannot be read: " + error.message());
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -114,6 +126,17 @@ class PendingFile {
   bool done_ = false;
 };
 
+[[noreturn]] void fail_incomplete(const fs::path& path) {
+  const int error = errno;  // of the call that failed, if the system told
+  io::fail(path, std::string("could not be written to its end: ") +
+                     (error != 0 ? std::strerror(error) : "is the disk full?"));
+}
+
+void write_pending(const TextFile& file, const PendingFile& pending) {
+  errno = 0;
+  if (!io::write_bytes(file.text, pending.path())) fail_incomplete(file.path);
+}
+
 void check_complete(const Mesh& mesh, const fs::path& path) {
   const auto* first = mesh.vert.data();
   for (std::size_t i = 0; i < mesh.face.size(); ++i)
@@ -178,7 +201,7 @@ MeshFile read_mesh(const fs::path& path) {
 }
 
 std::vector<std::string> write_mesh(const MeshFile& file, const fs::path& path,
-                                    const std::function<bool()>& interrupted) {
+                                    const std::function<bool()>& interrupted, const TextFile* with) {
   check_writable(path);
   PendingFile pending(path);
   const fs::path material_path = path.string() + ".mtl";
@@ -187,6 +210,7 @@ std::vector<std::string> write_mesh(const MeshFile& file, const fs::path& path,
   const std::string kind = extension(path);
   int capability = 0;
   bool complete = false;
+  errno = 0;
   if (kind == ".ply") {
     capability = io::ply_attributes;
     complete = io::write_ply(file, pending.path());
@@ -200,17 +224,25 @@ std::vector<std::string> write_mesh(const MeshFile& file, const fs::path& path,
     capability = io::stl_attributes;
     complete = io::write_stl(file, pending.path());
   }
-  if (!complete) io::fail(path, "could not be written to its end; is the disk full?");
+  if (!complete) fail_incomplete(path);
+  std::optional<PendingFile> pending_text;
+  if (with) {
+    check_place(with->path);
+    pending_text.emplace(with->path);
+    write_pending(*with, *pending_text);
+  }
   if (interrupted && interrupted()) throw WriteInterrupted();
   if (companion.written) pending_material.put_in_place();
+  if (pending_text) pending_text->put_in_place();
   pending.put_in_place();
   return lost_attributes(file.attributes, capability, path);
 }
 
-void write_text(const std::string& text, const fs::path& path) {
-  check_place(path);
-  PendingFile pending(path);
-  if (!io::write_bytes(text, pending.path())) io::fail(path, "could not be written to its end; is the disk full?");
+void write_text(const TextFile& file, const std::function<bool()>& interrupted) {
+  check_place(file.path);
+  PendingFile pending(file.path);
+  write_pending(file, pending);
+  if (interrupted && interrupted()) throw WriteInterrupted();
   pending.put_in_place();
 }
 

@@ -129,7 +129,7 @@ class ObjReader {
     const std::int64_t given = reader_.integer(word), size = static_cast<std::int64_t>(count);
     const std::int64_t result = given < 0 ? size + given : given - 1;
     if (given == 0 || result < 0 || result >= size)
-      reader_.fail("refers to " + std::string(name) + " " + std::string(word) + "; before this line there are " +
+      reader_.fail("refers to " + std::string(name) + " " + printable(word) + "; before this line there are " +
                    std::to_string(count));
     return result;
   }

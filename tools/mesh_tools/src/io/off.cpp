@@ -37,7 +37,7 @@ Header read_header(LineReader& reader) {
     else if (prefix[0] == 'N')
       header.normals = true;
     else
-      reader.fail("header '" + std::string(keyword) + "' is not supported; allowed prefixes are ST, C and N");
+      reader.fail("header '" + printable(keyword) + "' is not supported; allowed prefixes are ST, C and N");
     prefix.remove_prefix(1);
   }
   words.erase(words.begin());
@@ -57,7 +57,7 @@ vcg::Color4b read_color(const LineReader& reader, const Words& words, std::size_
   vcg::Color4b color(255, 255, 255, 255);
   for (std::size_t i = first; i < words.size(); ++i) {
     const double value = reader.number(words[i]) * (fractions ? 255 : 1);
-    if (!(value >= 0 && value <= 255)) reader.fail("'" + std::string(words[i]) + "' is not a colour component");
+    if (!(value >= 0 && value <= 255)) reader.fail("'" + printable(words[i]) + "' is not a colour component");
     color[static_cast<int>(i - first)] = static_cast<unsigned char>(std::lround(value));
   }
   return color;
@@ -103,16 +103,20 @@ MeshFile read_off(const std::filesystem::path& path) {
     for (std::size_t k = 1; k < end; ++k) {
       index.push_back(reader.integer(words[k]));
       if (index.back() < 0 || index.back() >= header.vertices)
-        reader.fail("a face refers to vertex " + std::string(words[k]) + "; allowed are 0 to " +
+        reader.fail("a face refers to vertex " + printable(words[k]) + "; allowed are 0 to " +
                     std::to_string(header.vertices - 1));
     }
     const bool colored = is_color(words.size() - end);
     const vcg::Color4b color = colored ? read_color(reader, words, end) : vcg::Color4b(255, 255, 255, 255);
     if (colored) file.attributes |= face_color;
     for (std::size_t k = 2; k < index.size(); ++k) {
-      auto face = Allocator::AddFace(mesh, static_cast<std::size_t>(index[0]), static_cast<std::size_t>(index[k - 1]),
-                                     static_cast<std::size_t>(index[k]));
-      face->C() = color;
+      // Not by Allocator::AddFace, which aborts on a repeated vertex where assertions are on.
+      detail::FaceD& face = mesh.face.emplace_back();
+      ++mesh.fn;
+      face.V(0) = &mesh.vert[static_cast<std::size_t>(index[0])];
+      face.V(1) = &mesh.vert[static_cast<std::size_t>(index[k - 1])];
+      face.V(2) = &mesh.vert[static_cast<std::size_t>(index[k])];
+      face.C() = color;
     }
   }
   if (header.texture) file.warnings.push_back(path.string() + ": texture coordinates are not kept");

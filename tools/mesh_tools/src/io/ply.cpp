@@ -1,103 +1,110 @@
-// PLY: read by vcglib after a check of our own, written by a writer of our own.
-
-#include <unistd.h>
+// PLY, text and binary in both byte orders. vcglib's reader is not used: it does not check the indices of a polygon's
+// last corner, of triangle strips and range grids, trusts what the header says, and reads text slowly.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <initializer_list>
-#include <optional>
+#include <iterator>
+#include <limits>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
 #include <mesh_tools/mesh.h>  // first: the headers of vcglib below need it
 
+#include <vcg/complex/algorithms/create/platonic.h>
 #include <vcg/complex/algorithms/update/bounding.h>
-#include <wrap/io_trimesh/import_ply.h>
 
 #include "formats.h"
+#include "ply_data.h"
 #include "ply_layout.h"
 
 namespace mesh_tools::io {
 namespace {
 
 using Type = PlyLayout::Type;
+using Row = PlyData::Row;
 
-/// What vcglib's importer takes over, by element: a property's name and whether it may be double.
+/// What a property says of a vertex or a face.
+enum class Role { none, x, y, z, nx, ny, nz, flags, quality, radius, red, green, blue, alpha, gray, u, v, page };
+
+enum class Kind { real, whole, byte };
+
 struct KnownProperty {
   const char* name;
-  bool floating;
+  Role role;
+  Kind kind;
 };
-constexpr KnownProperty known_of_vertex[] = {{"x", true},
-                                             {"y", true},
-                                             {"z", true},
-                                             {"nx", true},
-                                             {"ny", true},
-                                             {"nz", true},
-                                             {"flags", false},
-                                             {"quality", true},
-                                             {"confidence", true},
-                                             {"radius", true},
-                                             {"red", false},
-                                             {"green", false},
-                                             {"blue", false},
-                                             {"alpha", false},
-                                             {"diffuse_red", false},
-                                             {"diffuse_green", false},
-                                             {"diffuse_blue", false},
-                                             {"diffuse_alpha", false},
-                                             {"intensity", true},
-                                             {"s", true},
-                                             {"t", true},
-                                             {"texture_u", true},
-                                             {"texture_v", true},
-                                             {"texture_w", true}};
-constexpr KnownProperty known_of_face[] = {{"vertex_index", false},
-                                           {"vertex_indices", false},
-                                           {"flags", false},
-                                           {"quality", true},
-                                           {"texcoord", true},
-                                           {"color", true},
-                                           {"texnumber", false},
-                                           {"red", false},
-                                           {"green", false},
-                                           {"blue", false},
-                                           {"alpha", false},
-                                           {"nx", true},
-                                           {"ny", true},
-                                           {"nz", true}};
+/// The first of several properties with one role is the one that counts.
+constexpr KnownProperty known_of_vertex[] = {{"x", Role::x, Kind::real},
+                                             {"y", Role::y, Kind::real},
+                                             {"z", Role::z, Kind::real},
+                                             {"nx", Role::nx, Kind::real},
+                                             {"ny", Role::ny, Kind::real},
+                                             {"nz", Role::nz, Kind::real},
+                                             {"flags", Role::flags, Kind::whole},
+                                             {"quality", Role::quality, Kind::real},
+                                             {"confidence", Role::quality, Kind::real},
+                                             {"radius", Role::radius, Kind::real},
+                                             {"red", Role::red, Kind::byte},
+                                             {"green", Role::green, Kind::byte},
+                                             {"blue", Role::blue, Kind::byte},
+                                             {"alpha", Role::alpha, Kind::byte},
+                                             {"diffuse_red", Role::red, Kind::byte},
+                                             {"diffuse_green", Role::green, Kind::byte},
+                                             {"diffuse_blue", Role::blue, Kind::byte},
+                                             {"diffuse_alpha", Role::alpha, Kind::byte},
+                                             {"intensity", Role::gray, Kind::real},
+                                             {"texture_u", Role::u, Kind::real},
+                                             {"texture_v", Role::v, Kind::real},
+                                             {"s", Role::u, Kind::real},
+                                             {"t", Role::v, Kind::real}};
+constexpr KnownProperty known_of_face[] = {
+    {"flags", Role::flags, Kind::whole}, {"quality", Role::quality, Kind::real}, {"texnumber", Role::page, Kind::whole},
+    {"red", Role::red, Kind::byte},      {"green", Role::green, Kind::byte},     {"blue", Role::blue, Kind::byte},
+    {"alpha", Role::alpha, Kind::byte},  {"nx", Role::nx, Kind::real},           {"ny", Role::ny, Kind::real},
+    {"nz", Role::nz, Kind::real}};
 
-template <std::size_t N>
-bool is_known(const PlyLayout::Property& property, const KnownProperty (&table)[N]) {
-  const bool is_floating = property.type == Type::float32 || property.type == Type::float64;
-  for (const KnownProperty& known : table)
-    if (property.name == known.name) return known.floating == is_floating;
-  return false;
+bool is_of_kind(Type type, Kind kind) {
+  return kind == Kind::real ? !is_whole(type) : kind == Kind::whole ? is_whole(type) : type == Type::uint8;
 }
 
-std::string unknown_properties(const PlyLayout& layout) {
-  std::string names;
-  const auto add = [&](const std::string& name) { names += (names.empty() ? "" : ", ") + name; };
-  for (const auto& element : layout.elements) {
-    if (element.name == "edge" || element.name == "tristrips" || element.name == "range_grid" || element.count == 0)
-      continue;
-    if (element.name != "vertex" && element.name != "face") {
-      add(element.name);
-      continue;
-    }
-    for (const auto& property : element.properties)
-      if (!(element.name == "vertex" ? is_known(property, known_of_vertex) : is_known(property, known_of_face)))
-        add(element.name + "." + property.name);
+bool is_corner_list(const PlyLayout::Property& property) {
+  return property.is_list && is_whole(property.type) &&
+         (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+/// The roles of an element's numbers, by index of property.
+class Roles {
+ public:
+  template <std::size_t N>
+  Roles(const PlyLayout::Element& element, const KnownProperty (&table)[N]) : roles_(element.properties.size()) {
+    for (const KnownProperty& known : table)
+      for (std::size_t i = 0; i < roles_.size(); ++i) {
+        const PlyLayout::Property& property = element.properties[i];
+        if (!property.is_list && property.name == known.name && is_of_kind(property.type, known.kind) &&
+            !has(known.role))
+          roles_[i] = known.role;
+      }
   }
-  return names;
-}
+
+  Role operator[](std::size_t property) const { return roles_[property]; }
+  bool has(Role role) const { return std::find(roles_.begin(), roles_.end(), role) != roles_.end(); }
+  bool has_normal() const { return has(Role::nx) && has(Role::ny) && has(Role::nz); }
+
+ private:
+  std::vector<Role> roles_;
+};
 
 Precision precision_of(const PlyLayout::Element& vertex, const std::filesystem::path& path) {
   Type types[3];
   for (int k = 0; k < 3; ++k) {
     const std::string name(1, static_cast<char>('x' + k));
     const auto* property = vertex.find(name);
-    if (!property || property->is_list || (property->type != Type::float32 && property->type != Type::float64))
+    if (!property || property->is_list || is_whole(property->type))
       fail(path, "vertex property '" + name + "' must be there and be float or double");
     types[k] = property->type;
   }
@@ -105,97 +112,292 @@ Precision precision_of(const PlyLayout::Element& vertex, const std::filesystem::
   return types[0] == Type::float32 ? Precision::single_precision : Precision::double_precision;
 }
 
-void check_for_importer(const PlyLayout& layout, const std::filesystem::path& path) {
-  const auto* vertex = layout.find("vertex");
-  if (!vertex) fail(path, "declares no vertices");
-  for (const auto& element : layout.elements) {
-    if (element.name == "vertex") break;
-    if (element.name == "face" || element.name == "tristrips" || element.name == "edge")
-      fail(path, "declares element '" + element.name + "' before the vertices");
-  }
-  for (const std::string& comment : layout.comments)
-    if (comment.size() > 200 && comment.rfind("Texture", 0) == 0)
-      fail(path, "names a texture in more than 200 characters");
+/// A fraction of 255 as a byte; 0 if it is not a number.
+unsigned char to_byte(double value) { return value > 0 ? static_cast<unsigned char>(std::min(value, 255.0)) : 0; }
+
+/// vcglib counts textures in 16 bits.
+short to_page(double number) {
+  return static_cast<short>(
+      std::clamp<double>(number, std::numeric_limits<short>::min(), std::numeric_limits<short>::max()));
 }
 
-/// A file in the folder for temporary files, removed at the end.
-class ScratchFile {
- public:
-  explicit ScratchFile(const std::string& bytes) {
-    std::string name = (std::filesystem::temp_directory_path() / "mesh_tools_XXXXXX").string();
-    const int descriptor = ::mkstemp(name.data());
-    path_ = name;
-    const bool written = descriptor >= 0 && write_bytes(bytes, path_);
-    if (descriptor >= 0) ::close(descriptor);
-    if (!written) fail(path_, "a temporary file cannot be written");
+/// What vertices and faces have in common.
+template <class Element>
+void set(Element& element, Role role, double value) {
+  using Quality = std::decay_t<decltype(element.Q())>;
+  switch (role) {
+    case Role::nx:
+    case Role::ny:
+    case Role::nz:
+      element.N()[static_cast<int>(role) - static_cast<int>(Role::nx)] = value;
+      break;
+    case Role::flags:
+      element.Flags() = static_cast<int>(static_cast<std::int64_t>(value));
+      element.ClearD();  // the file holds what there is
+      break;
+    case Role::quality:
+      element.Q() = static_cast<Quality>(value);
+      break;
+    case Role::red:
+    case Role::green:
+    case Role::blue:
+    case Role::alpha:
+      element.C()[static_cast<int>(role) - static_cast<int>(Role::red)] = to_byte(value);
+      break;
+    default:
+      break;
   }
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-  ~ScratchFile() {
-    std::error_code error;
-    std::filesystem::remove(path_, error);
+}
+
+void set_vertex(detail::VertexD& vertex, Role role, double value) {
+  switch (role) {
+    case Role::x:
+    case Role::y:
+    case Role::z:
+      vertex.P()[static_cast<int>(role) - static_cast<int>(Role::x)] = value;
+      break;
+    case Role::radius:
+      vertex.R() = static_cast<float>(value);
+      break;
+    case Role::gray:
+      vertex.C() = vcg::Color4b(to_byte(255 * value), to_byte(255 * value), to_byte(255 * value), 255);
+      break;
+    case Role::u:
+      vertex.T().u() = static_cast<float>(value);
+      break;
+    case Role::v:
+      vertex.T().v() = static_cast<float>(value);
+      break;
+    default:
+      set(vertex, role, value);
+  }
+}
+
+class PlyReader {
+ public:
+  PlyReader(const std::string& bytes, const std::filesystem::path& path)
+      : path_(path), layout_(parse_ply_header(bytes, path)), data_(bytes, layout_, path) {
+    const auto* vertex = layout_.find("vertex");
+    if (!vertex) fail(path, "declares no vertices");
+    if (vertex->count == 0) fail(path, "holds no vertices");
+    file_.precision = precision_of(*vertex, path);
+    if (vertex->count > bytes.size())
+      fail(path, "is cut off: it cannot hold " + std::to_string(vertex->count) + " vertices");
+    vcg::tri::Allocator<Mesh>::AddVertices(file_.mesh, vertex->count);
   }
 
-  const std::filesystem::path& path() const { return path_; }
+  MeshFile read() {
+    for (const auto& element : layout_.elements) {
+      if (element.name == "vertex")
+        read_vertices(element);
+      else if (element.name == "face")
+        read_faces(element);
+      else if (element.name == "edge")
+        read_edges(element);
+      else if (element.name == "tristrips")
+        read_strips(element);
+      else if (element.name == "range_grid")
+        read_grid(element);
+      else
+        skip(element);
+    }
+    read_textures();
+    if (!unknown_.empty()) file_.warnings.push_back(path_.string() + ": these properties are not kept: " + unknown_);
+    vcg::tri::UpdateBounding<Mesh>::Box(file_.mesh);
+    return std::move(file_);
+  }
 
  private:
-  std::filesystem::path path_;
-};
+  using Element = PlyLayout::Element;
 
-template <class AnyMesh>
-int import(AnyMesh& mesh, const PlyLayout& layout, const std::filesystem::path& source,
-           const std::filesystem::path& path) {
-  using Importer = vcg::tri::io::ImporterPLY<AnyMesh>;
-  int mask = 0;
-  const int error = Importer::Open(mesh, source.c_str(), mask);
-  if (error != 0 && Importer::ErrorCritical(error))
-    fail(path, std::string("cannot be read: ") + Importer::ErrorMsg(error));
-  const auto *vertex = layout.find("vertex"), *face = layout.find("face");
-  if (mesh.vert.size() != vertex->count || (face && mesh.face.size() < face->count))
-    fail(path, face && mesh.face.empty()
-                   ? std::string("the type of its faces' 'vertex_indices' is not supported; use list uchar int")
-                   : std::string("was not read to its end"));
-  // Flags come from the file; none of its elements is deleted.
-  for (auto& element : mesh.vert) element.ClearD();
-  for (auto& element : mesh.face) element.ClearD();
-  mesh.vn = static_cast<int>(mesh.vert.size());
-  mesh.fn = static_cast<int>(mesh.face.size());
-  return mask;
-}
+  void add_unknown(const std::string& name) { unknown_ += (unknown_.empty() ? "" : ", ") + printable(name); }
+
+  template <std::size_t N>
+  void add_unknown(const Element& element, const KnownProperty (&table)[N],
+                   std::initializer_list<std::string_view> lists) {
+    for (const auto& property : element.properties) {
+      const bool known = property.is_list
+                             ? std::find(lists.begin(), lists.end(), property.name) != lists.end()
+                             : std::any_of(std::begin(table), std::end(table), [&](const KnownProperty& entry) {
+                                 return property.name == entry.name && is_of_kind(property.type, entry.kind);
+                               });
+      if (!known) add_unknown(element.name + "." + property.name);
+    }
+  }
+
+  void skip(const Element& element) {
+    for (std::size_t i = 0; i < element.count; ++i) data_.read(element, i, row_);
+    if (element.count > 0) add_unknown(element.name);
+  }
+
+  detail::VertexD* vertex_at(const Element& element, std::size_t row, double index) {
+    if (!(index >= 0 && index < file_.mesh.vn))
+      data_.fail_at_row(element, row,
+                        "has vertex index " + std::to_string(static_cast<std::int64_t>(index)) + "; allowed are 0 to " +
+                            std::to_string(file_.mesh.vn - 1));
+    return &file_.mesh.vert[static_cast<std::size_t>(index)];
+  }
+
+  void read_vertices(const Element& element) {
+    const Roles roles(element, known_of_vertex);
+    for (std::size_t i = 0; i < element.count; ++i) {
+      data_.read(element, i, row_);
+      for (std::size_t p = 0; p < element.properties.size(); ++p)
+        if (roles[p] != Role::none) set_vertex(file_.mesh.vert[i], roles[p], row_.number[p]);
+    }
+    add_unknown(element, known_of_vertex, {});
+    const auto add = [&](bool present, int attribute) { file_.attributes |= present ? attribute : 0; };
+    add(roles.has_normal(), vertex_normal);
+    add(roles.has(Role::flags), vertex_flags);
+    add(roles.has(Role::quality), vertex_quality);
+    add(roles.has(Role::radius), vertex_radius);
+    add(roles.has(Role::red) || roles.has(Role::gray), vertex_color);
+    add(roles.has(Role::u) && roles.has(Role::v), vertex_texture);
+  }
+
+  detail::FaceD& add_face() {
+    ++file_.mesh.fn;
+    return file_.mesh.face.emplace_back();
+  }
+
+  /// Polygons are cut into fans of triangles.
+  void read_faces(const Element& element) {
+    if (element.count == 0) return;
+    const auto& properties = element.properties;
+    const auto list = std::find_if(properties.begin(), properties.end(), is_corner_list);
+    if (list == properties.end()) fail(path_, "declares faces without 'vertex_indices', a list of whole numbers");
+    const auto texture = std::find_if(properties.begin(), properties.end(), [](const PlyLayout::Property& property) {
+      return property.is_list && property.name == "texcoord" && !is_whole(property.type);
+    });
+    const Roles roles(element, known_of_face);
+    const std::vector<double> none;
+    for (std::size_t i = 0; i < element.count; ++i) {
+      data_.read(element, i, row_);
+      const std::vector<double>& corners = row_.list[static_cast<std::size_t>(list - properties.begin())];
+      const std::vector<double>& wedges =
+          texture == properties.end() ? none : row_.list[static_cast<std::size_t>(texture - properties.begin())];
+      if (corners.size() < 3)
+        data_.fail_at_row(element, i, "has " + std::to_string(corners.size()) + " vertices; at least 3 are needed");
+      if (!wedges.empty() && wedges.size() != 2 * corners.size())
+        data_.fail_at_row(element, i,
+                          "has " + std::to_string(wedges.size()) + " texture coordinates; allowed are " +
+                              std::to_string(2 * corners.size()) + ", two for each corner, and none");
+      for (std::size_t c = 2; c < corners.size(); ++c) {
+        detail::FaceD& face = add_face();
+        const std::size_t corner[3] = {0, c - 1, c};
+        for (int k = 0; k < 3; ++k) {
+          face.V(k) = vertex_at(element, i, corners[corner[k]]);
+          if (wedges.empty()) continue;
+          face.WT(k).u() = static_cast<float>(wedges[2 * corner[k]]);
+          face.WT(k).v() = static_cast<float>(wedges[2 * corner[k] + 1]);
+        }
+        for (std::size_t p = 0; p < properties.size(); ++p) {
+          set(face, roles[p], row_.number[p]);
+          if (roles[p] != Role::page) continue;
+          for (int k = 0; k < 3; ++k) face.WT(k).n() = to_page(row_.number[p]);
+        }
+      }
+    }
+    add_unknown(element, known_of_face, {list->name, "texcoord"});
+    const auto add = [&](bool present, int attribute) { file_.attributes |= present ? attribute : 0; };
+    add(roles.has_normal(), face_normal);
+    add(roles.has(Role::flags), face_flags);
+    add(roles.has(Role::quality), face_quality);
+    add(roles.has(Role::red), face_color);
+    add(texture != properties.end(), wedge_texture);
+    add(texture != properties.end() && roles.has(Role::page), wedge_texture_index);
+  }
+
+  void read_edges(const Element& element) {
+    const auto *first = element.find("vertex1"), *second = element.find("vertex2");
+    const auto is_index = [](const PlyLayout::Property* property) {
+      return property && !property->is_list && is_whole(property->type);
+    };
+    if (element.count == 0) return;
+    if (!is_index(first) || !is_index(second)) return skip(element);
+    for (std::size_t i = 0; i < element.count; ++i) {
+      data_.read(element, i, row_);
+      detail::EdgeD& edge = file_.mesh.edge.emplace_back();
+      ++file_.mesh.en;
+      edge.V(0) = vertex_at(element, i, row_.number[static_cast<std::size_t>(first - element.properties.data())]);
+      edge.V(1) = vertex_at(element, i, row_.number[static_cast<std::size_t>(second - element.properties.data())]);
+    }
+    file_.attributes |= edges;
+  }
+
+  /// Triangle strips, one behind the other with -1 between them.
+  void read_strips(const Element& element) {
+    const auto list = std::find_if(element.properties.begin(), element.properties.end(), is_corner_list);
+    if (list == element.properties.end()) return skip(element);
+    for (std::size_t i = 0; i < element.count; ++i) {
+      data_.read(element, i, row_);
+      detail::VertexD *before_last = nullptr, *last = nullptr;
+      bool turned = false;
+      for (const double index : row_.list[static_cast<std::size_t>(list - element.properties.begin())]) {
+        if (index == -1) {
+          before_last = last = nullptr;
+          turned = false;
+          continue;
+        }
+        detail::VertexD* const vertex = vertex_at(element, i, index);
+        if (before_last != nullptr) {
+          detail::FaceD& face = add_face();
+          face.V(0) = turned ? last : before_last;
+          face.V(1) = turned ? before_last : last;
+          face.V(2) = vertex;
+          turned = !turned;
+        }
+        before_last = std::exchange(last, vertex);
+      }
+    }
+  }
+
+  /// The number that a comment gives to `name`.
+  std::int64_t number_in_comments(std::string_view name) const {
+    for (const std::string& comment : layout_.comments)
+      if (comment.compare(0, name.size(), name) == 0) return std::atoll(comment.c_str() + name.size());
+    return 0;
+  }
+
+  /// A scanner's rows and columns, with holes.
+  void read_grid(const Element& element) {
+    const auto list = std::find_if(element.properties.begin(), element.properties.end(), is_corner_list);
+    if (list == element.properties.end()) return skip(element);
+    const std::int64_t columns = number_in_comments("num_cols "), rows = number_in_comments("num_rows ");
+    const auto count = static_cast<std::int64_t>(element.count);
+    const bool fits = columns > 0 && columns <= count && rows > 0 && rows <= count && columns * rows == count;
+    if (!fits || file_.mesh.vn > count)
+      fail(path_, "its range grid of " + std::to_string(count) +
+                      " points must have num_cols times num_rows points and " + "as many as there are vertices");
+    std::vector<int> vertex;
+    for (std::size_t i = 0; i < element.count; ++i) {
+      data_.read(element, i, row_);
+      const std::vector<double>& at = row_.list[static_cast<std::size_t>(list - element.properties.begin())];
+      vertex.push_back(at.empty() ? -1 : static_cast<int>(vertex_at(element, i, at[0]) - file_.mesh.vert.data()));
+    }
+    vcg::tri::SparseFaceGrid(file_.mesh, vertex, static_cast<int>(columns), static_cast<int>(rows));
+  }
+
+  void read_textures() {
+    constexpr std::string_view keyword = "TextureFile ";
+    for (const std::string& comment : layout_.comments)
+      if (comment.compare(0, keyword.size(), keyword) == 0)
+        file_.mesh.textures.push_back(comment.substr(keyword.size()));
+  }
+
+  const std::filesystem::path& path_;
+  PlyLayout layout_;
+  PlyData data_;
+  MeshFile file_;
+  Row row_;
+  std::string unknown_;
+};
 
 }  // namespace
 
 MeshFile read_ply(const std::filesystem::path& path) {
-  MeshFile file;
-  PlyLayout layout;
-  std::optional<ScratchFile> swapped;  // vcglib's reader does not turn the bytes of a double
-  {
-    const std::string bytes = read_bytes(path);
-    layout = parse_ply_header(bytes, path);
-    check_for_importer(layout, path);
-    file.precision = precision_of(*layout.find("vertex"), path);
-    check_ply_data(bytes, layout, path);
-    if (layout.format == PlyLayout::Format::big_endian) swapped.emplace(to_little_endian(bytes, layout));
-  }
-  const std::filesystem::path& source = swapped ? swapped->path() : path;
-  const auto* vertex = layout.find("vertex");
-  if (file.precision == Precision::single_precision) {
-    MeshF mesh;
-    file.attributes = import(mesh, layout, source, path);
-    convert(mesh, file.mesh);
-  } else {
-    file.attributes = import(file.mesh, layout, source, path);
-    if (vertex->find("confidence") && !vertex->find("quality")) {
-      // The importer puts the float 'confidence' into half of a double; a float mesh gets it right.
-      MeshF mesh;
-      import(mesh, layout, source, path);
-      for (std::size_t i = 0; i < mesh.vert.size(); ++i) file.mesh.vert[i].Q() = mesh.vert[i].cQ();
-    }
-  }
-  const std::string unknown = unknown_properties(layout);
-  if (!unknown.empty()) file.warnings.push_back(path.string() + ": these properties are not kept: " + unknown);
-  vcg::tri::UpdateBounding<Mesh>::Box(file.mesh);
-  return file;
+  const std::string bytes = read_bytes(path);
+  return PlyReader(bytes, path).read();
 }
 
 namespace {

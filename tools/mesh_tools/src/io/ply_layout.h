@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -33,14 +35,10 @@ struct PlyLayout {
   const Element* find(const std::string& element) const;
 };
 
+bool is_whole(PlyLayout::Type type);
+std::size_t size_of(PlyLayout::Type type);
+
 /// Reads the header and throws FileError where it is not one.
 PlyLayout parse_ply_header(const std::string& bytes, const std::filesystem::path& path);
-
-/// Walks over all data and throws FileError where it ends too early, or holds lists that would overrun the fixed
-/// buffers of vcglib's reader.
-void check_ply_data(const std::string& bytes, const PlyLayout& layout, const std::filesystem::path& path);
-
-/// The same file with its numbers turned to little endian. The data must have passed check_ply_data().
-std::string to_little_endian(const std::string& bytes, const PlyLayout& layout);
 
 }  // namespace mesh_tools::io

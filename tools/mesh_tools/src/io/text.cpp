@@ -50,15 +50,14 @@ double LineReader::number(std::string_view word) const {
   if (first != last && *first == '+') ++first;
   const auto [end, error] = std::from_chars(first, last, value);
   if (error == std::errc::result_out_of_range) return std::strtod(std::string(word).c_str(), nullptr);
-  if (error != std::errc() || end != last || first == last) fail("'" + std::string(word) + "' is not a number");
+  if (error != std::errc() || end != last || first == last) fail("'" + printable(word) + "' is not a number");
   return value;
 }
 
 std::int64_t LineReader::integer(std::string_view word) const {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size())
-    fail("'" + std::string(word) + "' is not a whole number");
+  if (error != std::errc() || end != word.data() + word.size()) fail("'" + printable(word) + "' is not a whole number");
   return value;
 }
 

@@ -4,7 +4,9 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <tuple>
 #include <vector>
@@ -142,7 +144,14 @@ void measure_distance(const Mesh& from, const Mesh& to, int threads, double& rms
   };
   const int wanted = threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   std::vector<std::thread> pool;
-  for (int i = 1; i < wanted; ++i) pool.emplace_back(work);
+  pool.reserve(static_cast<std::size_t>(wanted));
+  try {
+    for (int i = 1; i < wanted; ++i) pool.emplace_back(work);
+  } catch (const std::system_error&) {
+    // The system has no more threads to give: those that started, and this one, do the work.
+  } catch (const std::bad_alloc&) {
+    // The same.
+  }
   work();
   for (std::thread& thread : pool) thread.join();
   double sum = 0;

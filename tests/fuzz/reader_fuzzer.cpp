@@ -1,0 +1,88 @@
+// Any bytes in a file of one format (FUZZED_EXTENSION): refused in one line that names the file, or a mesh whose faces
+// refer to its vertices, and that is the same after it was written and read again.
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include <mesh_tools/mesh_io.h>
+
+#include "require.h"
+
+namespace {
+
+using mesh_tools::Mesh;
+using mesh_tools::MeshFile;
+
+/// A folder of this process, for the file that the readers want; removed at the end.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "fuzz_XXXXXX").string();
+    FUZZ_REQUIRE(::mkdtemp(name.data()) != nullptr);
+    path_ = name;
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() {
+    std::error_code error;
+    std::filesystem::remove_all(path_, error);
+  }
+  std::filesystem::path file(const char* stem) const { return path_ / (std::string(stem) + FUZZED_EXTENSION); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+bool is_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+void require_valid(const Mesh& mesh) {
+  FUZZ_REQUIRE(mesh.vn > 0 && static_cast<std::size_t>(mesh.vn) == mesh.vert.size());
+  FUZZ_REQUIRE(static_cast<std::size_t>(mesh.fn) == mesh.face.size());
+  const std::less<> before;
+  for (const auto& face : mesh.face)
+    for (int k = 0; k < 3; ++k)
+      FUZZ_REQUIRE(!before(face.cV(k), mesh.vert.data()) && before(face.cV(k), mesh.vert.data() + mesh.vert.size()));
+}
+
+void require_same(const Mesh& a, const Mesh& b) {
+  FUZZ_REQUIRE(a.vn == b.vn && a.fn == b.fn);
+  for (std::size_t v = 0; v < a.vert.size(); ++v)
+    for (int k = 0; k < 3; ++k) FUZZ_REQUIRE(is_same(a.vert[v].cP()[k], b.vert[v].cP()[k]));
+  for (std::size_t f = 0; f < a.face.size(); ++f)
+    for (int k = 0; k < 3; ++k)
+      FUZZ_REQUIRE(vcg::tri::Index(a, a.face[f].cV(k)) == vcg::tri::Index(b, b.face[f].cV(k)));
+}
+
+/// STL joins vertices by their place: those that are not a number, and those of no facet, are not found again.
+constexpr bool keeps_vertices = std::string_view(FUZZED_EXTENSION) != ".stl";
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const Folder folder;
+  static const std::filesystem::path input = folder.file("in"), output = folder.file("out");
+  std::ofstream(input, std::ios::binary).write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+  MeshFile file;
+  try {
+    file = mesh_tools::read_mesh(input);
+  } catch (const mesh_tools::FileError& error) {
+    const std::string message = error.what();
+    FUZZ_REQUIRE(message.find(input.string()) != std::string::npos);
+    FUZZ_REQUIRE(message.find('\n') == std::string::npos);
+    return 0;
+  }
+  require_valid(file.mesh);
+  mesh_tools::write_mesh(file, output);
+  const MeshFile again = mesh_tools::read_mesh(output);
+  require_valid(again.mesh);
+  if (keeps_vertices) require_same(file.mesh, again.mesh);
+  return 0;
+}

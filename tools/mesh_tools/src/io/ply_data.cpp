@@ -1,0 +1,161 @@
+#include "ply_data.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <string_view>
+#include <system_error>
+
+#include "formats.h"
+
+namespace mesh_tools::io {
+namespace {
+
+using Type = PlyLayout::Type;
+
+template <class Value>
+double value_of(const char* raw) {
+  Value value;
+  std::memcpy(&value, raw, sizeof value);
+  return static_cast<double>(value);
+}
+
+/// Rounded once, to the type that the file declares, as MeshLab does.
+template <class Real>
+bool parse_real(const std::string& word, double& result) {
+  const char *first = word.data(), *last = first + word.size();
+  if (word.size() > 1 && *first == '+' && word[1] != '-') ++first;
+  Real value = 0;
+  const auto [stop, error] = std::from_chars(first, last, value);
+  if (stop != last || error == std::errc::invalid_argument) return false;
+  // Out of range leaves no value: infinity, or something near 0.
+  if (error == std::errc::result_out_of_range) {
+    if constexpr (sizeof(Real) == sizeof(float))
+      value = std::strtof(first, nullptr);
+    else
+      value = std::strtod(first, nullptr);
+  }
+  result = static_cast<double>(value);
+  return true;
+}
+
+template <class Whole>
+bool fits(std::int64_t value) {
+  return value >= std::numeric_limits<Whole>::min() && value <= std::numeric_limits<Whole>::max();
+}
+
+bool fits(std::int64_t value, Type type) {
+  switch (type) {
+    case Type::int8:
+      return fits<std::int8_t>(value);
+    case Type::uint8:
+      return fits<std::uint8_t>(value);
+    case Type::int16:
+      return fits<std::int16_t>(value);
+    case Type::uint16:
+      return fits<std::uint16_t>(value);
+    case Type::int32:
+      return fits<std::int32_t>(value);
+    default:
+      return fits<std::uint32_t>(value);
+  }
+}
+
+bool parse_whole(std::string_view word, Type type, double& result) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+  std::int64_t value = 0;
+  const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || stop != word.data() + word.size() || !fits(value, type)) return false;
+  result = static_cast<double>(value);
+  return true;
+}
+
+}  // namespace
+
+PlyData::PlyData(const std::string& bytes, const PlyLayout& layout, const std::filesystem::path& path)
+    : layout_(layout), path_(path), at_(bytes.data() + layout.data_offset), end_(bytes.data() + bytes.size()) {}
+
+void PlyData::read(const PlyLayout::Element& element, std::size_t index, Row& row) {
+  element_ = &element;
+  index_ = index;
+  row.number.resize(element.properties.size());
+  row.list.resize(element.properties.size());
+  for (std::size_t i = 0; i < element.properties.size(); ++i) {
+    const PlyLayout::Property& property = element.properties[i];
+    if (property.is_list)
+      read_list(property, row.list[i]);
+    else
+      row.number[i] = take(property.type);
+  }
+}
+
+void PlyData::read_list(const PlyLayout::Property& property, std::vector<double>& list) {
+  const double count = take(property.count_type);
+  if (count < 0) fail_here("has a list of negative length");
+  // An entry takes a byte at least, so that a wrong length cannot ask for absurd memory.
+  if (count > static_cast<double>(end_ - at_)) fail_cut_off();
+  list.resize(static_cast<std::size_t>(count));
+  for (double& value : list) value = take(property.type);
+}
+
+double PlyData::take(Type type) {
+  return layout_.format == PlyLayout::Format::ascii ? take_text(type) : take_binary(type);
+}
+
+double PlyData::take_text(Type type) {
+  const auto is_space = [](char c) { return static_cast<unsigned char>(c) <= ' '; };
+  while (at_ != end_ && is_space(*at_)) ++at_;
+  const char* const start = at_;
+  while (at_ != end_ && !is_space(*at_)) ++at_;
+  if (at_ == start) fail_cut_off();
+  const std::string word(start, at_);
+  double value = 0;
+  if (is_whole(type)) {
+    if (!parse_whole(word, type, value))
+      fail_here("has '" + printable(word) + "' where a whole number of the declared type is needed");
+  } else if (!(type == Type::float32 ? parse_real<float>(word, value) : parse_real<double>(word, value))) {
+    fail_here("has a value that is none: '" + printable(word) + "' is not a number");
+  }
+  return value;
+}
+
+double PlyData::take_binary(Type type) {
+  const std::size_t size = size_of(type);
+  if (size > static_cast<std::size_t>(end_ - at_)) fail_cut_off();
+  char raw[8];
+  std::memcpy(raw, at_, size);
+  at_ += size;
+  if ((layout_.format == PlyLayout::Format::big_endian) != is_big_endian_machine()) std::reverse(raw, raw + size);
+  switch (type) {
+    case Type::int8:
+      return value_of<std::int8_t>(raw);
+    case Type::uint8:
+      return value_of<std::uint8_t>(raw);
+    case Type::int16:
+      return value_of<std::int16_t>(raw);
+    case Type::uint16:
+      return value_of<std::uint16_t>(raw);
+    case Type::int32:
+      return value_of<std::int32_t>(raw);
+    case Type::uint32:
+      return value_of<std::uint32_t>(raw);
+    case Type::float32:
+      return value_of<float>(raw);
+    default:
+      return value_of<double>(raw);
+  }
+}
+
+void PlyData::fail_cut_off() const {
+  fail(path_, "is cut off: it ends within " + element_->name + " " + std::to_string(index_) + " of " +
+                  std::to_string(element_->count));
+}
+
+void PlyData::fail_at_row(const PlyLayout::Element& element, std::size_t index, const std::string& what) const {
+  fail(path_, element.name + " " + std::to_string(index) + " " + what);
+}
+
+}  // namespace mesh_tools::io

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "ply_layout.h"
+
+namespace mesh_tools::io {
+
+/// Hands out the data behind a PLY header row by row, text and binary in both byte orders alike. Every number is
+/// checked: that it is there, is a number, and fits the type that the header declares. Throws FileError.
+class PlyData {
+ public:
+  /// All three are referred to, not copied.
+  PlyData(const std::string& bytes, const PlyLayout& layout, const std::filesystem::path& path);
+
+  /// One row: a number for each property that is none of a list, a list for each that is one; by index of property.
+  struct Row {
+    std::vector<double> number;
+    std::vector<std::vector<double>> list;
+  };
+
+  /// Reads row `index` of `element`; to be called for all rows in the order of the file.
+  void read(const PlyLayout::Element& element, std::size_t index, Row& row);
+
+  /// "element ROW what" as a FileError.
+  [[noreturn]] void fail_at_row(const PlyLayout::Element& element, std::size_t index, const std::string& what) const;
+
+ private:
+  double take(PlyLayout::Type type);
+  double take_text(PlyLayout::Type type);
+  double take_binary(PlyLayout::Type type);
+  void read_list(const PlyLayout::Property& property, std::vector<double>& list);
+  [[noreturn]] void fail_cut_off() const;
+  [[noreturn]] void fail_here(const std::string& what) const { fail_at_row(*element_, index_, what); }
+
+  const PlyLayout& layout_;
+  const std::filesystem::path& path_;
+  const char *at_, *end_;
+  const PlyLayout::Element* element_ = nullptr;  // where fail_here() is
+  std::size_t index_ = 0;
+};
+
+}  // namespace mesh_tools::io
