@@ -105,7 +105,11 @@ class InstalledMeshLab(MeshLab):
         return self.apply_mlx("-i", source, "-o", target, "-s", script, "--plugin", PLUGIN)
 
     def dialog_stops(self, fields):
-        return ["nothing", *fields, "scroll area", "Preview", "Default", "Help", "Close", "Apply"]
+        return ["nothing", *fields, "text", "scroll area", "Default", "Help", "Close", "Apply"]
+
+    def preview_place(self):
+        """Where the check box is that no key reaches: pixels from the left and from the bottom of the dialog."""
+        return (16, 79)
 
     def errors(self, done):
         return done.stdout.splitlines()

@@ -1,4 +1,4 @@
-"""Drives MeshLab's window on a virtual display by keys, as a person without a mouse would. Every wait is for something
+"""Drives MeshLab's window on a virtual display by keys, and by the mouse what no key reaches. Every wait is for something
 that can be seen: a window, a line of the log."""
 
 import re
@@ -114,7 +114,9 @@ class Gui:
     # MeshLab's ways
 
     def open_filter(self, name):
-        """Finds a filter by the search box and opens its dialog."""
+        """Finds a filter by the search box and opens its dialog, anew if it is open."""
+        title = "^" + re.escape(name)
+        old = self.find(title)
         self.focus(self.main)
         before = self.pixels("480x160+905+82")
         self.keys("ctrl+f")
@@ -122,9 +124,11 @@ class Gui:
         self._wait(lambda: self.pixels("480x160+905+82") != before, "the search box")
         self.settled_picture("search", region="480x160+905+82")
         self.keys("Down", "Return")
-        dialog = self.window("^" + re.escape(name))
+        dialog = self._wait(lambda: self.find(title) not in (None, old) and self.find(title), f"window '{title}'")
+        self.focus(dialog)
         self.stops = self.meshlab.dialog_stops(list(scripts.DEFAULTS[name]))
         self.stop = 0
+        self.dialog = dialog
         self.settled_picture("dialog")
         return dialog
 
@@ -138,6 +142,16 @@ class Gui:
     def press(self, button):
         self.go_to(button)
         self.keys("space")
+
+    def toggle_preview(self):
+        if "Preview" in self.stops:
+            self.press("Preview")
+            return
+        left, bottom = self.meshlab.preview_place()
+        shape = dict(line.split("=") for line in
+                     self._output("xdotool", "getwindowgeometry", "--shell", self.dialog).splitlines())
+        self._output("xdotool", "mousemove", "--window", self.dialog, str(left), str(int(shape["HEIGHT"]) - bottom),
+                     "click", "1")
 
     def set_field(self, name, value):
         self.go_to(name)
