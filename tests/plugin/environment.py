@@ -89,6 +89,7 @@ class InstalledMeshLab(MeshLab):
     failure_status = 1
     cleans_what_it_opens = True  # degenerate faces and vertices that are not finite
     mesh_region = "225x380+245+240"
+    shows_python = os.environ.get("ANISO_MESHLAB_VERSION", "") >= "2023"  # a filter's dialog: its call in PyMeshLab
 
     def __init__(self, folder):
         super().__init__(folder)
@@ -105,11 +106,11 @@ class InstalledMeshLab(MeshLab):
         return self.apply_mlx("-i", source, "-o", target, "-s", script, "--plugin", PLUGIN)
 
     def dialog_stops(self, fields):
-        return ["nothing", *fields, "text", "scroll area", "Default", "Help", "Close", "Apply"]
+        return ["Apply", *(("text", "Copy PyMeshLab call") if self.shows_python else ()), *fields]
 
     def preview_place(self):
         """Where the check box is that no key reaches: pixels from the left and from the bottom of the dialog."""
-        return (16, 79)
+        return (16, 169) if self.shows_python else (16, 79)
 
     def errors(self, done):
         return done.stdout.splitlines()

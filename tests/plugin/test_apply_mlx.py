@@ -1,5 +1,6 @@
-"""What apply_mlx promises besides what test_scripts.py asks of every MeshLab: defaults for what a script leaves out, several
-filters in their order, MeshLab's own filters and formats, and one clear line and nothing written when something is wrong."""
+"""What apply_mlx promises besides what test_scripts.py asks of every MeshLab: defaults for what a script leaves out,
+several filters in their order, MeshLab's own filters and formats, and one clear line and nothing written when something
+is wrong."""
 
 import os
 import pathlib

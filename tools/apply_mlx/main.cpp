@@ -42,11 +42,11 @@ std::vector<std::string> run(const Options& options) {
   const QString input = QString::fromStdString(options.input);
   const QString output = QString::fromStdString(options.output);
   const std::vector<Step> steps = read_script(QString::fromStdString(options.script));
-  std::vector<std::string> log;
-  for (const QString& reason : load_plugins(options.plugins)) log.push_back("left out: " + reason.toStdString());
+  load_plugins(options.plugins);
   check_writable(output);
   MeshDocument document;
   const int attributes = read_mesh(input, document);
+  std::vector<std::string> log;
   const auto take_log = [&] {
     for (const auto& [level, line] : document.Log.logStringList()) log.push_back(line.trimmed().toStdString());
     document.Log.clear();
@@ -84,6 +84,10 @@ int parse_and_run(int argc, char** argv) {
   std::vector<std::string> log;
   try {
     const Quiet quiet;
+    // Filters expect a Qt application with images and fonts, but no screen.
+    ::setenv("QT_QPA_PLATFORM", "offscreen", 1);
+    int qt_argc = 1;
+    const QApplication application(qt_argc, argv);
     log = run(options);
   } catch (const std::bad_alloc&) {
     return fail("not enough memory for this mesh");
@@ -100,10 +104,6 @@ int parse_and_run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    // Filters expect a Qt application with images and fonts, but no screen.
-    ::setenv("QT_QPA_PLATFORM", "offscreen", 1);
-    int qt_argc = 1;
-    const QApplication application(qt_argc, argv);
     return apply_mlx::parse_and_run(argc, argv);
   } catch (...) {  // parse_and_run() reports what it knows; here even that failed
     std::fputs("apply_mlx: unexpected failure\n", stderr);

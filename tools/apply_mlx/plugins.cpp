@@ -11,15 +11,14 @@
 
 namespace apply_mlx {
 
-std::vector<QString> load_plugins(const std::vector<std::string>& files) {
+void load_plugins(const std::vector<std::string>& files) {
   PluginManager& manager = meshlab::pluginManagerInstance();
   const QDir folder(MESHLAB_PLUGIN_DIR);
-  std::vector<QString> left_out;
   for (const QString& file : folder.entryList({"*.so"}, QDir::Files)) {
     try {
       manager.loadPlugin(folder.absoluteFilePath(file));
-    } catch (const MLException& error) {
-      left_out.push_back(QString(error.what()).simplified());
+    } catch (const MLException&) {  // as those that draw, where a library for that is missing
+      continue;
     }
   }
   if (manager.size() == 0)
@@ -33,7 +32,6 @@ std::vector<QString> load_plugins(const std::vector<std::string>& files) {
       throw Failure(QString::fromStdString(name) + ": cannot be loaded: " + error.what());
     }
   }
-  return left_out;
 }
 
 }  // namespace apply_mlx

@@ -3,14 +3,11 @@
 #include <string>
 #include <vector>
 
-#include <QString>
-
 namespace apply_mlx {
 
 /// Loads the installed MeshLab's plugins and then `files`, whose filters come before others of the same name. A plugin
 /// of MeshLab's own that does not load is left out, as in MeshLab.
-/// @return what MeshLab's own plugins said that did not load, one line each
 /// @throws Failure if one of `files` does not load, or MeshLab has no plugins where they should be
-std::vector<QString> load_plugins(const std::vector<std::string>& files);
+void load_plugins(const std::vector<std::string>& files);
 
 }  // namespace apply_mlx
