@@ -45,11 +45,12 @@ class PrivateMeshLab:
                 "XDG_CONFIG_HOME": str(self.home / "config"), "XDG_DATA_HOME": str(self.home / "data"),
                 "LC_ALL": "C.UTF-8", "LIBGL_ALWAYS_SOFTWARE": "1", "QT_LOGGING_RULES": ""}
 
-    def server(self, display, *arguments, timeout=60):
+    def server(self, display, *arguments, timeout=60, preexec_fn=None):
         """Runs meshlabserver; returns the finished process with what it printed on both streams in `stdout`."""
         command = [self.prefix / "bin/meshlabserver", *map(str, arguments)]
         return subprocess.run(command, env=self.environment(display), stdout=subprocess.PIPE, check=False,
-                              stderr=subprocess.STDOUT, text=True, errors="replace", timeout=timeout)
+                              stderr=subprocess.STDOUT, text=True, errors="replace", timeout=timeout,
+                              preexec_fn=preexec_fn)
 
 
 class Display:
