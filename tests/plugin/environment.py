@@ -47,10 +47,11 @@ class MeshLab:
                 "XDG_CONFIG_HOME": str(self.home / "config"), "XDG_DATA_HOME": str(self.home / "data"),
                 "LC_ALL": "C.UTF-8", "LIBGL_ALWAYS_SOFTWARE": "1", "QT_LOGGING_RULES": ""}
 
-    def _run(self, command, display, timeout=60):
+    def _run(self, command, display, timeout=60, preexec_fn=None):
         """The finished process, with what it printed on both streams in `stdout`."""
         return subprocess.run([str(word) for word in command], env=self.environment(display), stdout=subprocess.PIPE,
-                              check=False, stderr=subprocess.STDOUT, text=True, errors="replace", timeout=timeout)
+                              check=False, stderr=subprocess.STDOUT, text=True, errors="replace", timeout=timeout,
+                              preexec_fn=preexec_fn)
 
 
 class PrivateMeshLab(MeshLab):
@@ -66,8 +67,8 @@ class PrivateMeshLab(MeshLab):
         self.program = self.prefix / "bin/meshlab"
         subprocess.run([SOURCE / "scripts/private_meshlab", self.prefix, PLUGIN, LIBRARY], check=True)
 
-    def server(self, display, *arguments, timeout=60):
-        return self._run([self.prefix / "bin/meshlabserver", *arguments], display, timeout)
+    def server(self, display, *arguments, timeout=60, preexec_fn=None):
+        return self._run([self.prefix / "bin/meshlabserver", *arguments], display, timeout, preexec_fn)
 
     def apply(self, display, script, source, target, save=()):
         """Applies a script to a file; `save` is what meshlabserver is told to write besides positions."""
