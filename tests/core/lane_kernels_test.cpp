@@ -147,16 +147,18 @@ TEST_P(LaneKernels, PollInsideALargePatch) {
   Prepared mesh(grid(142));
   const auto ring = make_rings(mesh.arrays(), mesh.job());
   const SourceGroups groups = group_sources(mesh.arrays(), GetParam()->lanes, mesh.job());
-  const LaneMesh lanes{mesh.arrays(), ring, mesh.arrays().position, mesh.normal()};
+  const LaneMesh lanes{mesh.arrays(), ring, groups, mesh.arrays().position, mesh.normal()};
   PatchBuilder builder(lanes, GetParam()->lanes);
-  const Patch& patch = builder.build(groups.member.data(), groups.begin[1], 1e6);
+  const Patch& patch = builder.build(0, 1, 1e6);
   ASSERT_EQ(patch.rows, 142u * 142u);
   LaneParameters parameters{};
   parameters.cutoff = parameters.limit = 1e6f;
   parameters.tolerance = 4e-6f;
+  GetParam()->shape(
+      patch, [](void*) {}, nullptr);
   std::size_t polls = 0;
   GetParam()->march(
-      patch, parameters, [](void* count) { ++*static_cast<std::size_t*>(count); }, &polls);
+      patch, builder.group(0), parameters, [](void* count) { ++*static_cast<std::size_t*>(count); }, &polls);
   EXPECT_GE(polls, patch.rows / 4096);
 }
 
