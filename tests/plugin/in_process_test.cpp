@@ -345,6 +345,7 @@ INSTANTIATE_TEST_SUITE_P(InMeshLab, BadLayers, testing::ValuesIn(bad_mesh_names(
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
+  qputenv("QT_QPA_PLATFORM", "offscreen");  // also while CTest asks for the list of tests
   const QApplication application(argc, argv);
   return RUN_ALL_TESTS();
 }

@@ -27,10 +27,9 @@ std::vector<double> geodesic_field(const MeshArrays& mesh, std::size_t host_sour
                            "; it must be the index of a vertex of the mesh, 0 to " +
                            std::to_string(index_of.size() - 1));
   job.begin_stage("Measuring distances", 1.0);
-  // In the mesh's own unit: a division by |e| would round each length.
   using Scalar = long double;
-  const std::vector<TriangleFrame<Scalar>> frames = triangle_frames(mesh, mesh.position, Scalar(1), job);
-  GeodesicMarch<Scalar> march(mesh, frames, tolerance * mesh.topology.average_edge_length);
+  const FramesOnDemand frames(mesh);
+  GeodesicMarch<Scalar, FramesOnDemand> march(mesh, frames, tolerance * mesh.topology.average_edge_length);
   const double vertices = static_cast<double>(mesh.size());
   march.run(index_of[host_source], std::numeric_limits<Scalar>::infinity(),
             [&](std::size_t settled) { job.report(std::min(1.0, static_cast<double>(settled) / vertices)); });

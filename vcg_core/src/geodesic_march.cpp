@@ -2,19 +2,20 @@
 
 #include <limits>
 
+#include "triangle_frames.h"
+
 namespace vcg_core::detail {
 
-template <class Scalar>
-GeodesicMarch<Scalar>::GeodesicMarch(const MeshArrays& mesh, const std::vector<TriangleFrame<Scalar>>& frames,
-                                     Scalar tolerance)
+template <class Scalar, class Frames>
+GeodesicMarch<Scalar, Frames>::GeodesicMarch(const MeshArrays& mesh, const Frames& frames, Scalar tolerance)
     : mesh_(mesh),
       frames_(frames),
       tolerance_(tolerance),
       distance_(mesh.size(), std::numeric_limits<Scalar>::infinity()),
       state_(mesh.size(), State::unseen) {}
 
-template <class Scalar>
-void GeodesicMarch<Scalar>::clear() {
+template <class Scalar, class Frames>
+void GeodesicMarch<Scalar, Frames>::clear() {
   for (const Index v : reached_) {
     distance_[v] = std::numeric_limits<Scalar>::infinity();
     state_[v] = State::unseen;
@@ -23,8 +24,8 @@ void GeodesicMarch<Scalar>::clear() {
   front_ = {};
 }
 
-template <class Scalar>
-void GeodesicMarch<Scalar>::run(Index source, Scalar limit, const std::function<void(std::size_t)>& poll) {
+template <class Scalar, class Frames>
+void GeodesicMarch<Scalar, Frames>::run(Index source, Scalar limit, const std::function<void(std::size_t)>& poll) {
   constexpr std::size_t pops_between_polls = 4096;
   clear();
   offer(source, 0);
@@ -40,8 +41,8 @@ void GeodesicMarch<Scalar>::run(Index source, Scalar limit, const std::function<
   }
 }
 
-template <class Scalar>
-void GeodesicMarch<Scalar>::offer(Index v, Scalar distance) {
+template <class Scalar, class Frames>
+void GeodesicMarch<Scalar, Frames>::offer(Index v, Scalar distance) {
   if (!(distance < distance_[v])) return;
   const Scalar gain = distance_[v] - distance;
   distance_[v] = distance;
@@ -51,8 +52,8 @@ void GeodesicMarch<Scalar>::offer(Index v, Scalar distance) {
   front_.emplace(distance, v);
 }
 
-template <class Scalar>
-void GeodesicMarch<Scalar>::settle(Index v) {
+template <class Scalar, class Frames>
+void GeodesicMarch<Scalar, Frames>::settle(Index v) {
   state_[v] = State::settled;
   const MeshTopology& topology = mesh_.topology;
   for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
@@ -70,6 +71,6 @@ void GeodesicMarch<Scalar>::settle(Index v) {
 }
 
 template class GeodesicMarch<double>;
-template class GeodesicMarch<long double>;
+template class GeodesicMarch<long double, FramesOnDemand>;
 
 }  // namespace vcg_core::detail

@@ -19,12 +19,12 @@ namespace vcg_core::detail {
 /// The readable, scalar path. Work memory is proportional to the mesh and reused from run to run.
 ///
 /// @tparam Scalar  double for neighbourhoods; long double for single-source distances, which then come out of hundreds
-/// of
-///                 steps correctly rounded to double wherever long double is the wider type
-template <class Scalar>
+///                 of steps correctly rounded to double wherever long double is the wider type
+/// @tparam Frames  gives the TriangleFrame of each corner: all kept, as many sources need them, or FramesOnDemand
+template <class Scalar, class Frames = std::vector<TriangleFrame<Scalar>>>
 class GeodesicMarch {
  public:
-  GeodesicMarch(const MeshArrays& mesh, const std::vector<TriangleFrame<Scalar>>& frames, Scalar tolerance);
+  GeodesicMarch(const MeshArrays& mesh, const Frames& frames, Scalar tolerance);
 
   /// Finds the distances from `source` of all vertices up to `limit`; farther ones may be reached, and are then given
   /// a distance that is too large. `poll` is called now and then with the number of vertices settled so far.
@@ -42,7 +42,7 @@ class GeodesicMarch {
   void clear();
 
   const MeshArrays& mesh_;
-  const std::vector<TriangleFrame<Scalar>>& frames_;
+  const Frames& frames_;
   Scalar tolerance_;
   std::vector<Scalar> distance_;
   std::vector<State> state_;
