@@ -155,7 +155,7 @@ class Display:
         environment = {**os.environ, "DISPLAY": self.name}
         self.manager = subprocess.Popen(["openbox"], env=environment, stdout=subprocess.DEVNULL,
                                         stderr=subprocess.DEVNULL)
-        deadline = time.monotonic() + 30
+        deadline = time.monotonic() + 120
         while time.monotonic() < deadline:
             answer = subprocess.run(["xprop", "-root", "_NET_SUPPORTING_WM_CHECK"], env=environment, check=False,
                                     capture_output=True, text=True, timeout=30).stdout
