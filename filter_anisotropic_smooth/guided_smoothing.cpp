@@ -16,8 +16,9 @@ QString GuidedSmoothing::help() const {
       " of the mesh: for most meshes the defaults are what to use. It goes beyond <i>Anisotropic Feature-Preserving"
       " Smoothing</i>, the paper's one pass, most of all on strong noise and on scans.<br>"
       "The normals of the faces are filtered first, then the vertices moved until the faces look along them; what was"
-      " removed and is no noise comes back. If noise is left, raise the strength; if shallow edges are lost, lower the"
-      " feature angle. Vertex positions and normals change, and on request colour and quality.<br>"
+      " removed and is no noise comes back. If noise is left, raise the strength a little, to 1.2: much more rounds the"
+      " edges. If shallow edges are lost, lower the feature angle. Vertex positions and normals change, and on request"
+      " colour and quality.<br>"
       "See: <b>Zhang, Deng, Zhang, Bouaziz, Liu: \"Guided Mesh Normal Filtering\", 2015</b>, <b>Zheng, Fu, Au, Tai:"
       " \"Bilateral Normal Filtering for Mesh Denoising\", 2011</b> and <b>Sun, Rosin, Martin, Langbein: \"Fast and"
       " Effective Feature-Preserving Mesh Denoising\", 2007</b>, from which the parts come that are not new.");

@@ -127,8 +127,8 @@ const Knob selected{"selected", "Move selected vertices only",
 const Knob strength{
     "strength", "Strength",
     "1: as strong as the mesh's own noise asks for. Higher: more is taken for noise, so that smooth"
-    " surfaces get smoother and shallow features go; lower: more of the surface stays as it is. Above 0,"
-    " at most 10; 0.5 is gentle, 2 strong. No unit.",
+    " surfaces get smoother, shallow features go, and from about 1.5 on edges get round; lower: more of the"
+    " surface stays as it is, and noise with it. Above 0, at most 10; 0.5 is gentle. No unit.",
     add_number<&SmoothingParameters::strength>, read_number<&SmoothingParameters::strength>};
 
 const Knob feature_angle{"feature_angle", "Feature angle, in degrees",
