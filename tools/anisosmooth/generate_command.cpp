@@ -27,7 +27,7 @@ void run(const Options& options) {
   file.mesh = mesh_tools::make_shape(options.shape, static_cast<std::size_t>(options.vertices));
   file.precision =
       options.double_precision ? mesh_tools::Precision::double_precision : mesh_tools::Precision::single_precision;
-  write_output(file, options.output);
+  write_result(file, options.output);
   if (!options.quiet)
     std::cout << options.shape << ": " << file.mesh.vn << " vertices, " << file.mesh.fn << " faces, written to "
               << options.output << "\n";

@@ -59,7 +59,7 @@ void run(const Options& options) {
       ++unreached;
   }
   file.attributes |= mesh_tools::vertex_quality_attribute | mesh_tools::vertex_color_attribute;
-  write_output(file, options.output);
+  write_result(file, options.output);
   if (options.quiet) return;
   std::cout << "geodesic distances from vertex " << options.start_vertex << ": largest " << largest << "\n";
   if (unreached > 0) std::cout << unreached << " vertices are not connected with it; their quality is -1\n";

@@ -11,8 +11,10 @@ namespace {
 
 volatile std::sig_atomic_t was_interrupted = 0;
 volatile std::sig_atomic_t cooperative = 0;
+volatile std::sig_atomic_t in_place = 0;
 
 extern "C" void on_interrupt(int) {
+  if (in_place) return;
   if (!cooperative) _exit(interrupted_status);
   was_interrupted = 1;
 }
@@ -25,6 +27,8 @@ void handle_interrupts() {
 }
 
 bool interrupted() { return was_interrupted != 0; }
+
+void result_is_in_place() { in_place = 1; }
 
 CooperativeInterrupt::CooperativeInterrupt() { cooperative = cooperative + 1; }
 CooperativeInterrupt::~CooperativeInterrupt() { cooperative = cooperative - 1; }

@@ -8,6 +8,9 @@ void handle_interrupts();
 
 bool interrupted();
 
+/// From here on the signals change nothing: what the user asked for is in its place, and status 0 says so.
+void result_is_in_place();
+
 /// Marks a stretch of work that has something to tidy up and asks interrupted() often.
 class CooperativeInterrupt {
  public:

@@ -17,7 +17,15 @@ inline void write_output(const mesh_tools::MeshFile& file, const std::string& pa
   print_warnings(mesh_tools::write_mesh(file, path, interrupted, with));
 }
 
-/// The same for a text alone.
+/// The same for the one result of a command: once it is there, signals are ignored.
+inline void write_result(const mesh_tools::MeshFile& file, const std::string& path,
+                         const mesh_tools::TextFile* with = nullptr) {
+  const CooperativeInterrupt scope;
+  write_output(file, path, with);
+  result_is_in_place();
+}
+
+/// The same as write_output for a text alone.
 inline void write_output(const mesh_tools::TextFile& file) {
   const CooperativeInterrupt scope;
   mesh_tools::write_text(file, interrupted);

@@ -29,7 +29,7 @@ void run(const Options& options) {
   mesh_tools::MeshFile file = read_input(options.input);
   mesh_tools::add_noise(file.mesh, options.level, options.seed, direction);
   if (file.attributes & mesh_tools::normal_attributes) mesh_tools::update_normals(file.mesh);
-  write_output(file, options.output);
+  write_result(file, options.output);
   if (!options.quiet)
     std::cout << "noise of " << options.level << " average edge lengths on " << file.mesh.vn << " vertices, written to "
               << options.output << "\n";

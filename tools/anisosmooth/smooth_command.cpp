@@ -136,7 +136,7 @@ void run(const Options& options) {
     json.update(to_json(report));
     text = {options.report, json.dump(2) + "\n"};
   }
-  write_output(file, options.output, text ? &*text : nullptr);
+  write_result(file, options.output, text ? &*text : nullptr);
   print_warnings(report.warnings());
   if (!options.quiet) print_summary(options, method, report);
 }
