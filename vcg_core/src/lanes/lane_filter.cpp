@@ -74,7 +74,7 @@ std::vector<Vec3> LanePass::run(const PassInput& in) {
           if (!moves(g)) continue;
           chunks.poll();  // a patch may be the whole mesh
           if (patch == nullptr) {
-            patch = &builder.build(patch_begin[p], patch_begin[p + 1], reach);
+            patch = &builder.build(patch_begin[p], patch_begin[p + 1], reach, [&] { chunks.poll(); });
             chunks.poll();
             kernel_.shape(*patch, poll, &chunks);
           }

@@ -6,21 +6,27 @@
 
 namespace vcg_core::detail {
 
+namespace {
+
+constexpr std::size_t rows_between_polls = 16384;
+
+}  // namespace
+
 PatchBuilder::PatchBuilder(const LaneMesh& lanes, std::uint32_t lane_count)
     : lanes_(lanes),
       lane_count_(lane_count),
       per_unit_(1 / lanes.mesh.topology.average_edge_length),
       row_of_(lanes.mesh.size(), unknown) {}
 
-const Patch& PatchBuilder::build(std::size_t first, std::size_t last, double reach) {
+const Patch& PatchBuilder::build(std::size_t first, std::size_t last, double reach, const std::function<void()>& poll) {
   forget_last();
   first_group_ = first;
   last_group_ = last;
   reach_ = static_cast<float>(std::min(reach, 1e15));
   place_sources();
-  collect_rows();
+  collect_rows(poll);
   place_rows();
-  place_faces();
+  place_faces(poll);
   reserve_kernel_memory();
   return patch_;
 }
@@ -71,9 +77,10 @@ GroupBall PatchBuilder::ball_around(const Row* source, std::size_t count) const 
 }
 
 /// The vertices that are connected to the sources inside the balls around their groups.
-void PatchBuilder::collect_rows() {
+void PatchBuilder::collect_rows(const std::function<void()>& poll) {
   const MeshTopology& topology = lanes_.mesh.topology;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (poll && (i + 1) % rows_between_polls == 0) poll();
     const Index v = rows_[i].vertex;
     for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
       const RingFace& face = lanes_.ring[s];
@@ -125,7 +132,7 @@ void PatchBuilder::place_rows() {
   patch_.rows = static_cast<std::uint32_t>(n);
 }
 
-void PatchBuilder::place_faces() {
+void PatchBuilder::place_faces(const std::function<void()>& poll) {
   const MeshTopology& topology = lanes_.mesh.topology;
   const auto n = static_cast<std::uint32_t>(rows_.size());
   face_begin_.resize(n + 1);
@@ -141,6 +148,7 @@ void PatchBuilder::place_faces() {
   row_2_.assign(faces + lane_count_, 0);
   marks_.resize(faces);
   for (std::uint32_t row = 0; row < n; ++row) {
+    if (poll && (row + 1) % rows_between_polls == 0) poll();
     const Index begin = topology.star_begin[rows_[row].vertex];
     for (std::uint32_t slot = 0; slot < face_begin_[row + 1] - face_begin_[row]; ++slot)
       add_face(row, slot, lanes_.ring[begin + slot]);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -27,7 +28,8 @@ class PatchBuilder {
 
   /// The patch of the groups [first, last), see patch_groups.
   /// @param reach  distance from a source, in |e|, up to which vertices are wanted
-  const Patch& build(std::size_t first, std::size_t last, double reach);
+  /// @param poll   called now and then, as a patch may be the whole mesh; may throw
+  const Patch& build(std::size_t first, std::size_t last, double reach, const std::function<void()>& poll = {});
 
   /// One of the patch's groups; valid until the next.
   const PatchGroup& group(std::size_t g);
@@ -46,11 +48,11 @@ class PatchBuilder {
   void forget_last();
   void place_sources();
   GroupBall ball_around(const Row* source, std::size_t count) const;
-  void collect_rows();
+  void collect_rows(const std::function<void()>& poll);
   Row row_at(Index vertex) const;
   void consider(Index vertex);
   void place_rows();
-  void place_faces();
+  void place_faces(const std::function<void()>& poll);
   void add_face(std::uint32_t row, std::uint32_t slot, const RingFace& ring_face);
   void reserve_kernel_memory();
 
