@@ -29,8 +29,10 @@ class Filter {
   virtual QString help() const = 0;
   /// Menus: HostInterface::FilterClass values, or-ed.
   virtual int categories() const = 0;
-  /// What the filter changes, exactly: MeshModel::MM_* values, or-ed. The preview restores nothing else.
+  /// What the filter can change: MeshModel::MM_* values, or-ed. The preview restores nothing else.
   virtual int changes() const = 0;
+  /// What it changes with these values: less than that, where a parameter decides.
+  virtual int changes_with(const RichParameterList& /*values*/) const { return changes(); }
 
   /// Parameters with their defaults; `mesh` may be null.
   virtual RichParameterList parameters(const MeshModel* mesh) const = 0;

@@ -74,6 +74,10 @@ meshlab_plugin::Report FilterAnisotropicSmooth::run(const QAction* action, const
   return filter(action).apply(*mesh, values, session);
 }
 
+int FilterAnisotropicSmooth::changes_with(const QAction* action, const RichParameterList& values) const {
+  return filter(action).changes_with(values);
+}
+
 void FilterAnisotropicSmooth::write_log(const std::string& line) { host_log(line); }
 
 QString FilterAnisotropicSmooth::error_text(const std::exception& error) const {

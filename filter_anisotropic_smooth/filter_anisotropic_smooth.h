@@ -25,6 +25,7 @@ class FilterAnisotropicSmooth : public meshlab_plugin::HostAdapter {
   RichParameterList parameters_for(const QAction* action, const MeshModel* mesh) const override;
   meshlab_plugin::Report run(const QAction* action, const RichParameterList& values, MeshModel* mesh,
                              vcg::CallBackPos* callback) override;
+  int changes_with(const QAction* action, const RichParameterList& values) const override;
   void write_log(const std::string& line) override;
   QString error_text(const std::exception& error) const override;
 

@@ -28,4 +28,8 @@ int GuidedSmoothing::changes() const {
   return SmoothingFilter::changes() | MeshModel::MM_VERTCOLOR | MeshModel::MM_VERTQUALITY;
 }
 
+int GuidedSmoothing::changes_with(const RichParameterList& values) const {
+  return values.getBool(knobs::smooth_color.name) ? changes() : SmoothingFilter::changes();
+}
+
 }  // namespace meshlab_plugin

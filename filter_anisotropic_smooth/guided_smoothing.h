@@ -11,8 +11,9 @@ class GuidedSmoothing : public SmoothingFilter {
   QString name() const override;
   QString python_name() const override;
   QString help() const override;
-  /// Colour and quality too: `smooth_color` can change them, and a preview restores only what is declared.
+  /// Colour and quality too: `smooth_color` can change them, and MeshLab asks before it knows the values.
   int changes() const override;
+  int changes_with(const RichParameterList& values) const override;
 };
 
 }  // namespace meshlab_plugin

@@ -65,6 +65,8 @@ class HostAdapter : public QObject, public HostInterface {
   /// Runs the filter; throws std::exception, whose text is for the user.
   virtual Report run(const QAction* action, const RichParameterList& values, MeshModel* mesh,
                      vcg::CallBackPos* callback) = 0;
+  /// What run() changes with these values; later MeshLabs update and redraw nothing else.
+  virtual int changes_with(const QAction* action, const RichParameterList& values) const = 0;
   virtual void write_log(const std::string& line) = 0;
   virtual QString error_text(const std::exception& error) const = 0;
 
@@ -82,9 +84,11 @@ class HostAdapter : public QObject, public HostInterface {
   }
 
   Report applyFilter(const QAction* action, const RichParameterList& values, MeshDocument& document,
-                     unsigned int& /*post_condition_mask*/, vcg::CallBackPos* callback) override {
+                     unsigned int& changed, vcg::CallBackPos* callback) override {
     try {
-      return run(action, values, document.mm(), callback);
+      Report report = run(action, values, document.mm(), callback);
+      changed = static_cast<unsigned int>(changes_with(action, values));
+      return report;
     } catch (const std::exception& error) {
       throw MLException(error_text(error));
     }

@@ -1,6 +1,6 @@
 // describe_plugin PLUGIN: what users' scripts hold on to, as JSON: every filter's name and Python name, its parameters
-// with kind, default, choices and which of some test values it takes (numbers only), and the names of what it reports.
-// Asks the plugin file itself, as MeshLab does, without a display.
+// with kind, default, choices and which of some test values it takes (numbers only), what it says that it changes, and
+// the names of what it reports. Asks the plugin file itself, as MeshLab does, without a display.
 
 #include <meshlab_compatibility.h>
 
@@ -24,6 +24,13 @@ using Json = nlohmann::ordered_json;
 using meshlab_plugin::HostInterface;
 using meshlab_plugin::Report;
 
+/// What a filter hands back. The last two are of MeshLabs since 2021.
+struct Outcome {
+  bool succeeded = false;
+  unsigned int changed = MeshModel::MM_UNKNOWN;
+  Report report;
+};
+
 constexpr int test_values[] = {-1, 0, 1, 10, 11, 90, 91};
 
 /// The one difference that matters here between the versions of MeshLab: the filter's functions.
@@ -36,15 +43,15 @@ struct Filter {
   RichParameterList parameters(const MeshDocument& document) const {
     return plugin.initParameterList(action, document);
   }
-  bool apply(MeshDocument& document, const RichParameterList& values, Report& report) const {
-    unsigned int changed = 0;
+  Outcome apply(MeshDocument& document, const RichParameterList& values) const {
+    Outcome outcome;
     plugin.setLog(&document.Log);
     try {
-      report = plugin.applyFilter(action, values, document, changed, nullptr);
-      return true;
+      outcome.report = plugin.applyFilter(action, values, document, outcome.changed, nullptr);
+      outcome.succeeded = true;
     } catch (const MLException&) {
-      return false;
     }
+    return outcome;
   }
 #else
   RichParameterList parameters(MeshDocument& document) const {
@@ -52,9 +59,11 @@ struct Filter {
     plugin.initParameterSet(action, document, list);
     return list;
   }
-  bool apply(MeshDocument& document, const RichParameterList& values, Report& /*report*/) const {
+  Outcome apply(MeshDocument& document, const RichParameterList& values) const {
+    Outcome outcome;
     plugin.setLog(&document.Log);
-    return plugin.applyFilter(action, document, values, nullptr);
+    outcome.succeeded = plugin.applyFilter(action, document, values, nullptr);
+    return outcome;
   }
 #endif
 };
@@ -88,6 +97,22 @@ Json value_of(const RichParameter& parameter, const RichParameterList& list) {
   throw std::runtime_error("describe_plugin: unknown kind of parameter: " + kind.toStdString());
 }
 
+/// MeshLab's names of the parts of a mesh, without MM_.
+Json names_of(unsigned int mask) {
+  constexpr std::pair<unsigned int, const char*> parts[] = {{MeshModel::MM_VERTCOORD, "VERTCOORD"},
+                                                            {MeshModel::MM_VERTNORMAL, "VERTNORMAL"},
+                                                            {MeshModel::MM_FACENORMAL, "FACENORMAL"},
+                                                            {MeshModel::MM_VERTCOLOR, "VERTCOLOR"},
+                                                            {MeshModel::MM_VERTQUALITY, "VERTQUALITY"}};
+  Json names = Json::array();
+  for (const auto& [part, name] : parts) {
+    if ((mask & part) != 0) names.push_back(name);
+    mask &= ~part;
+  }
+  if (mask != 0) throw std::runtime_error("describe_plugin: a part without a name here: " + std::to_string(mask));
+  return names;
+}
+
 bool takes(const Filter& filter, const RichParameter& parameter, int value) {
   MeshDocument document;
   add_mesh(document);
@@ -97,9 +122,25 @@ bool takes(const Filter& filter, const RichParameter& parameter, int value) {
   } else {
     values.setValue(parameter.name(), IntValue(value));
   }
-  Report report;
-  return filter.apply(document, values, report);
+  return filter.apply(document, values).succeeded;
 }
+
+#if ANISO_MESHLAB_SINCE_2021
+/// What the filter changes when a switch is the other way round than by default.
+Json changes_when_switched(const Filter& filter, const RichParameter& parameter) {
+  MeshDocument document;
+  add_mesh(document);
+  document.mm()->updateDataMask(MeshModel::MM_VERTCOLOR | MeshModel::MM_VERTQUALITY);
+  vcg::tri::UpdateSelection<CMeshO>::VertexAll(document.mm()->cm);
+  RichParameterList values = filter.parameters(document);
+  values.setValue(parameter.name(), BoolValue(!values.getBool(parameter.name())));
+  const Outcome outcome = filter.apply(document, values);
+  if (!outcome.succeeded) {
+    throw std::runtime_error("describe_plugin: a switch is refused: " + parameter.name().toStdString());
+  }
+  return names_of(outcome.changed);
+}
+#endif
 
 Json describe(const Filter& filter, const RichParameter& parameter, const RichParameterList& list) {
   Json result;
@@ -115,6 +156,7 @@ Json describe(const Filter& filter, const RichParameter& parameter, const RichPa
     }
   }
 #if ANISO_MESHLAB_SINCE_2021
+  if (parameter.stringType() == "RichBool") result["changes_when_switched"] = changes_when_switched(filter, parameter);
   result["python_name"] = pymeshlab::computePythonName(parameter.name()).toStdString();
 #endif
   return result;
@@ -128,13 +170,15 @@ Json describe(const Filter& filter) {
   result["name"] = filter.action->text().toStdString();
   for (const RichParameter& parameter : parameters)
     result["parameters"].push_back(describe(filter, parameter, parameters));
-  Report report;
-  if (!filter.apply(document, parameters, report)) {
+  const Outcome outcome = filter.apply(document, parameters);
+  if (!outcome.succeeded) {
     throw std::runtime_error("describe_plugin: the filter refuses its defaults: " + result["name"].get<std::string>());
   }
+  result["can_change"] = names_of(static_cast<unsigned int>(filter.plugin.postCondition(filter.action)));
 #if ANISO_MESHLAB_SINCE_2021
+  result["changes_by_default"] = names_of(outcome.changed);
   result["python_name"] = filter.python_name().toStdString();
-  for (const auto& [name, value] : report) result["report"][name] = value.typeName();
+  for (const auto& [name, value] : outcome.report) result["report"][name] = value.typeName();
 #endif
   return result;
 }

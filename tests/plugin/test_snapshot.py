@@ -1,7 +1,7 @@
-"""Names, parameters, kinds, choices, defaults and ranges of every filter, and what it reports, are those of filters.json:
-users' scripts hold on to them. Who changes one on purpose runs
+"""Names, parameters, kinds, choices, defaults and ranges of every filter, what it declares to change and what it reports,
+are those of filters.json: users' scripts hold on to them. Who changes one on purpose runs
 
-    build/tests/plugin/describe_plugin build/plugins/libfilter_anisotropic_smooth.so >tests/plugin/filters.json
+    build/bin/describe_plugin build/plugins/libfilter_anisotropic_smooth.so >tests/plugin/filters.json
 
 for a MeshLab since 2021: 2020.09 knows neither Python names nor reports."""
 
@@ -15,7 +15,7 @@ import unittest
 from environment import PLUGIN, SOURCE
 
 SNAPSHOT = pathlib.Path(__file__).with_name("filters.json")
-SINCE_2021 = ("python_name", "report")
+SINCE_2021 = ("python_name", "report", "changes_by_default", "changes_when_switched")
 IN_PYTHON = {"int", "double", "float", "bool"}  # the scalar types of a report that PyMeshLab hands on
 
 
@@ -42,6 +42,17 @@ class Snapshot(unittest.TestCase):
         for description, expected in zip(found, released):
             with self.subTest(filter=expected["name"]):
                 self.assertEqual(description, expected)
+
+    def test_colour_is_declared_only_where_it_can_change(self):
+        (guided,) = [one for one in json.loads(SNAPSHOT.read_text()) if one["name"].startswith("Guided")]
+        colours = {"VERTCOLOR", "VERTQUALITY"}
+        self.assertFalse(colours & set(guided["changes_by_default"]))
+        for parameter in guided["parameters"]:
+            if parameter["name"] == "smooth_color":
+                self.assertEqual(set(parameter["changes_when_switched"]), set(guided["can_change"]))
+                self.assertLessEqual(colours, set(guided["can_change"]))
+            elif parameter["kind"] == "RichBool":
+                self.assertFalse(colours & set(parameter["changes_when_switched"]), parameter["name"])
 
     def test_reports_are_of_types_that_pymeshlab_hands_on(self):
         for description in json.loads(SNAPSHOT.read_text()):
