@@ -23,9 +23,9 @@ SmoothedFile smooth_file(mesh_tools::MeshFile& file, vcg_core::Method method,
                          const vcg_core::SmoothingParameters& parameters, const vcg_core::Progress& progress) {
   if (file.precision == mesh_tools::Precision::double_precision) return timed(file.mesh, method, parameters, progress);
   mesh_tools::MeshF mesh;
-  mesh_tools::convert(file.mesh, mesh);
+  mesh_tools::to_single_precision(file.mesh, mesh);
   const SmoothedFile result = timed(mesh, method, parameters, progress);
-  mesh_tools::convert(mesh, file.mesh);
+  mesh_tools::take_vertices(mesh, file.mesh);
   return result;
 }
 

@@ -6,57 +6,6 @@
 #include <vector>
 
 namespace mesh_tools {
-namespace {
-
-template <class From, class To>
-void copy_elements(const From& from, To& to) {
-  using Allocator = vcg::tri::Allocator<To>;
-  using Scalar = typename To::ScalarType;
-  to.Clear();
-  std::vector<std::size_t> index(from.vert.size());
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < from.vert.size(); ++i)
-    if (!from.vert[i].IsD()) index[i] = count++;
-  if (count > 0) Allocator::AddVertices(to, count);
-  auto vertex = to.vert.begin();
-  for (const auto& source : from.vert) {
-    if (source.IsD()) continue;
-    vertex->P().Import(source.cP());
-    vertex->N().Import(source.cN());
-    vertex->Flags() = source.cFlags();
-    vertex->C() = source.cC();
-    vertex->Q() = static_cast<Scalar>(source.cQ());
-    vertex->T() = source.cT();
-    vertex->R() = source.cR();
-    ++vertex;
-  }
-  const auto reference = [&](const auto* v) { return &to.vert[index[v - from.vert.data()]]; };
-  for (const auto& source : from.edge) {
-    if (source.IsD()) continue;
-    auto& edge = *Allocator::AddEdges(to, 1);
-    for (int k = 0; k < 2; ++k) edge.V(k) = reference(source.cV(k));
-  }
-  const std::size_t faces = std::count_if(from.face.begin(), from.face.end(), [](const auto& f) { return !f.IsD(); });
-  if (faces > 0) Allocator::AddFaces(to, faces);
-  auto face = to.face.begin();
-  for (const auto& source : from.face) {
-    if (source.IsD()) continue;
-    for (int k = 0; k < 3; ++k) {
-      face->V(k) = reference(source.cV(k));
-      face->WT(k) = source.cWT(k);
-    }
-    face->N().Import(source.cN());
-    face->Flags() = source.cFlags();
-    face->C() = source.cC();
-    face->Q() = static_cast<Scalar>(source.cQ());
-    ++face;
-  }
-  to.textures = from.textures;
-  to.normalmaps = from.normalmaps;
-  to.bbox.Import(from.bbox);
-}
-
-}  // namespace
 
 void Mesh::swap(Mesh& other) noexcept {  // vectors keep their storage when swapped, so references between elements hold
   vert.swap(other.vert);
@@ -70,8 +19,34 @@ void Mesh::swap(Mesh& other) noexcept {  // vectors keep their storage when swap
   normalmaps.swap(other.normalmaps);
 }
 
-void convert(const MeshF& from, Mesh& to) { copy_elements(from, to); }
-void convert(const Mesh& from, MeshF& to) { copy_elements(from, to); }
+void to_single_precision(const Mesh& from, MeshF& to) {
+  using Allocator = vcg::tri::Allocator<MeshF>;
+  to.Clear();
+  if (!from.vert.empty()) Allocator::AddVertices(to, from.vert.size());
+  for (std::size_t i = 0; i < from.vert.size(); ++i) {
+    const auto& source = from.vert[i];
+    auto& vertex = to.vert[i];
+    vertex.P().Import(source.cP());
+    vertex.Flags() = source.cFlags();
+    vertex.C() = source.cC();
+    vertex.Q() = static_cast<float>(source.cQ());
+  }
+  if (!from.face.empty()) Allocator::AddFaces(to, from.face.size());
+  for (std::size_t i = 0; i < from.face.size(); ++i) {
+    for (int k = 0; k < 3; ++k) to.face[i].V(k) = &to.vert[vcg::tri::Index(from, from.face[i].cV(k))];
+    to.face[i].Flags() = from.face[i].cFlags();
+  }
+  to.vn = from.vn;
+  to.fn = from.fn;
+}
+
+void take_vertices(const MeshF& from, Mesh& to) {
+  for (std::size_t i = 0; i < from.vert.size(); ++i) {
+    to.vert[i].P().Import(from.vert[i].cP());
+    to.vert[i].C() = from.vert[i].cC();
+    to.vert[i].Q() = from.vert[i].cQ();
+  }
+}
 
 double average_edge_length(const Mesh& mesh) {
   std::vector<std::pair<std::size_t, std::size_t>> edges;

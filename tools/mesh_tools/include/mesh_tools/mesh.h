@@ -24,16 +24,11 @@ class FaceD : public vcg::Face<TypesD, vcg::face::VertexRef, vcg::face::Normal3d
                                vcg::face::Color4b, vcg::face::Qualityd, vcg::face::WedgeTexCoord2f> {};
 
 class VertexF;
-class EdgeF;
 class FaceF;
-struct TypesF
-    : vcg::UsedTypes<vcg::Use<VertexF>::AsVertexType, vcg::Use<EdgeF>::AsEdgeType, vcg::Use<FaceF>::AsFaceType> {};
-class VertexF
-    : public vcg::Vertex<TypesF, vcg::vertex::Coord3f, vcg::vertex::Normal3f, vcg::vertex::BitFlags,
-                         vcg::vertex::Color4b, vcg::vertex::Qualityf, vcg::vertex::TexCoord2f, vcg::vertex::Radiusf> {};
-class EdgeF : public vcg::Edge<TypesF, vcg::edge::VertexRef, vcg::edge::BitFlags> {};
-class FaceF : public vcg::Face<TypesF, vcg::face::VertexRef, vcg::face::Normal3f, vcg::face::BitFlags,
-                               vcg::face::Color4b, vcg::face::Qualityf, vcg::face::WedgeTexCoord2f> {};
+struct TypesF : vcg::UsedTypes<vcg::Use<VertexF>::AsVertexType, vcg::Use<FaceF>::AsFaceType> {};
+class VertexF : public vcg::Vertex<TypesF, vcg::vertex::Coord3f, vcg::vertex::BitFlags, vcg::vertex::Color4b,
+                                   vcg::vertex::Qualityf> {};
+class FaceF : public vcg::Face<TypesF, vcg::face::VertexRef, vcg::face::BitFlags> {};
 
 }  // namespace detail
 
@@ -51,14 +46,14 @@ struct Mesh : vcg::tri::TriMesh<std::vector<detail::VertexD>, std::vector<detail
   void swap(Mesh& other) noexcept;
 };
 
-/// The same in single precision, as most files and MeshLab's usual build store it.
-struct MeshF : vcg::tri::TriMesh<std::vector<detail::VertexF>, std::vector<detail::EdgeF>, std::vector<detail::FaceF>> {
-};
+/// What the filters look at and change, in single precision, as most files and MeshLab's usual build store it.
+struct MeshF : vcg::tri::TriMesh<std::vector<detail::VertexF>, std::vector<detail::FaceF>> {};
 
-/// Replaces `to` by a copy of `from` with all attributes; exact from float to double, rounded once the other way.
-/// Deleted elements are left out.
-void convert(const MeshF& from, Mesh& to);
-void convert(const Mesh& from, MeshF& to);
+/// Replaces `to` by `from`, element by element, deleted ones as well: numbers rounded once.
+void to_single_precision(const Mesh& from, MeshF& to);
+
+/// Takes positions, colours and qualities back from the copy that to_single_precision() made of `to`.
+void take_vertices(const MeshF& from, Mesh& to);
 
 /// Average length of the unique edges, |e|; 0 for a mesh without faces. Deleted elements are passed over.
 double average_edge_length(const Mesh& mesh);

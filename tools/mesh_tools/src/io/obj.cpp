@@ -246,10 +246,11 @@ struct FaceMaterial {
   }
 };
 
-template <class AnyMesh>
+/// Scalar is what positions and normals are rounded to.
+template <class Scalar>
 class ObjText {
  public:
-  ObjText(const AnyMesh& mesh, int attributes) : mesh_(mesh), attributes_(attributes) {}
+  ObjText(const Mesh& mesh, int attributes) : mesh_(mesh), attributes_(attributes) {}
 
   std::map<FaceMaterial, std::size_t> materials;
 
@@ -275,8 +276,7 @@ class ObjText {
   }
 
  private:
-  template <class AnyFace>
-  FaceMaterial material_of(const AnyFace& face) const {
+  FaceMaterial material_of(const detail::FaceD& face) const {
     FaceMaterial material{{255, 255, 255, 255}, {}};
     if (attributes_ & face_color)
       for (int k = 0; k < 4; ++k) material.color[k] = face.cC()[k];
@@ -296,19 +296,18 @@ class ObjText {
       if (vertex.IsD()) continue;
       number_[i] = ++count;
       text_ += 'v';
-      for (int k = 0; k < 3; ++k) append(vertex.cP()[k]);
+      for (int k = 0; k < 3; ++k) append(static_cast<Scalar>(vertex.cP()[k]));
       if (attributes_ & vertex_color)
         for (int k = 0; k < 3; ++k) append(vertex.cC()[k] / 255.0);
       text_ += '\n';
       if (!(attributes_ & vertex_normal)) continue;
       text_ += "vn";
-      for (int k = 0; k < 3; ++k) append(vertex.cN()[k]);
+      for (int k = 0; k < 3; ++k) append(static_cast<Scalar>(vertex.cN()[k]));
       text_ += '\n';
     }
   }
 
-  template <class AnyFace>
-  void append_face(const AnyFace& face) {
+  void append_face(const detail::FaceD& face) {
     const bool textured = attributes_ & wedge_texture, normals = attributes_ & vertex_normal;
     std::size_t texture[3] = {};
     for (int k = 0; k < 3 && textured; ++k) {
@@ -331,7 +330,7 @@ class ObjText {
     text_ += '\n';
   }
 
-  const AnyMesh& mesh_;
+  const Mesh& mesh_;
   int attributes_;
   std::string text_;
   std::vector<std::size_t> number_;
@@ -350,9 +349,9 @@ std::string material_text(const std::map<FaceMaterial, std::size_t>& materials) 
   return text;
 }
 
-template <class AnyMesh>
-bool write(const AnyMesh& mesh, int attributes, const std::filesystem::path& path, Companion& companion) {
-  ObjText<AnyMesh> obj(mesh, attributes);
+template <class Scalar>
+bool write(const MeshFile& file, const std::filesystem::path& path, Companion& companion) {
+  ObjText<Scalar> obj(file.mesh, file.attributes);
   if (!write_bytes(obj.text(companion.name), path)) return false;
   if (obj.materials.empty()) return true;
   companion.written = true;
@@ -364,10 +363,8 @@ bool write(const AnyMesh& mesh, int attributes, const std::filesystem::path& pat
 MeshFile read_obj(const std::filesystem::path& path) { return ObjReader(read_bytes(path), path).read(); }
 
 bool write_obj(const MeshFile& file, const std::filesystem::path& path, Companion& companion) {
-  if (file.precision == Precision::double_precision) return write(file.mesh, file.attributes, path, companion);
-  MeshF single;
-  convert(file.mesh, single);
-  return write(single, file.attributes, path, companion);
+  return file.precision == Precision::double_precision ? write<double>(file, path, companion)
+                                                       : write<float>(file, path, companion);
 }
 
 }  // namespace mesh_tools::io

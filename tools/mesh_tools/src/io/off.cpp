@@ -126,8 +126,9 @@ MeshFile read_off(const std::filesystem::path& path) {
 
 namespace {
 
-template <class AnyMesh>
-std::string off_text(const AnyMesh& mesh, int attributes) {
+/// Scalar is what positions and normals are rounded to.
+template <class Scalar>
+std::string off_text(const Mesh& mesh, int attributes) {
   const bool normals = attributes & vertex_normal, colors = attributes & vertex_color;
   const bool face_colors = attributes & face_color;
   std::string text = std::string(colors ? "C" : "") + (normals ? "N" : "") + "OFF\n" + std::to_string(mesh.vn) + " " +
@@ -140,7 +141,7 @@ std::string off_text(const AnyMesh& mesh, int attributes) {
   const auto append_point = [&](const auto& p) {
     for (int k = 0; k < 3; ++k) {
       if (k > 0) text += ' ';
-      append_number(text, p[k]);
+      append_number(text, static_cast<Scalar>(p[k]));
     }
   };
   for (std::size_t i = 0; i < mesh.vert.size(); ++i) {
@@ -165,10 +166,9 @@ std::string off_text(const AnyMesh& mesh, int attributes) {
 }  // namespace
 
 bool write_off(const MeshFile& file, const std::filesystem::path& path) {
-  if (file.precision == Precision::double_precision) return write_bytes(off_text(file.mesh, file.attributes), path);
-  MeshF single;
-  convert(file.mesh, single);
-  return write_bytes(off_text(single, file.attributes), path);
+  return write_bytes(file.precision == Precision::double_precision ? off_text<double>(file.mesh, file.attributes)
+                                                                   : off_text<float>(file.mesh, file.attributes),
+                     path);
 }
 
 }  // namespace mesh_tools::io

@@ -271,6 +271,8 @@ class PlyReader {
     });
     const Roles roles(element, known_of_face);
     const std::vector<double> none;
+    file_.mesh.face.reserve(
+        std::min(element.count, data_.most_rows(element, *list, 3)));  // the header may say too much
     for (std::size_t i = 0; i < element.count; ++i) {
       data_.read(element, i, row_);
       const std::vector<double>& corners = row_.list[static_cast<std::size_t>(list - properties.begin())];
@@ -404,10 +406,11 @@ namespace {
 
 /// Writes as vcglib's exporter does, by the same names and types. That one is not used, for in double precision it
 /// writes texture coordinates of vertices in another type than it declares.
-template <class AnyMesh>
+/// Scalar is the type of positions, normals and qualities.
+template <class Scalar>
 class PlyText {
  public:
-  PlyText(const AnyMesh& mesh, int attributes) : mesh_(mesh), attributes_(attributes) {}
+  PlyText(const Mesh& mesh, int attributes) : mesh_(mesh), attributes_(attributes) {}
 
   std::string bytes() {
     append_header();
@@ -427,7 +430,6 @@ class PlyText {
   }
 
  private:
-  using Scalar = typename AnyMesh::ScalarType;
   static constexpr const char* scalar = std::is_same_v<Scalar, float> ? "float" : "double";
 
   bool has(int attribute) const { return (attributes_ & attribute) != 0; }
@@ -481,8 +483,7 @@ class PlyText {
     for (int k = 0; k < 4; ++k) append(color[k]);
   }
 
-  template <class AnyVertex>
-  void append_vertex(const AnyVertex& vertex) {
+  void append_vertex(const detail::VertexD& vertex) {
     append_point(vertex.cP());
     if (has(vertex_normal)) append_point(vertex.cN());
     if (has(vertex_flags)) append(static_cast<std::int32_t>(vertex.cFlags()));
@@ -495,8 +496,7 @@ class PlyText {
     }
   }
 
-  template <class AnyFace>
-  void append_face(const AnyFace& face, const std::vector<std::int32_t>& number) {
+  void append_face(const detail::FaceD& face, const std::vector<std::int32_t>& number) {
     append(static_cast<unsigned char>(3));
     for (int k = 0; k < 3; ++k) append(number[vcg::tri::Index(mesh_, face.cV(k))]);
     if (has(face_flags)) append(static_cast<std::int32_t>(face.cFlags()));
@@ -513,7 +513,7 @@ class PlyText {
     if (has(face_quality)) append(static_cast<Scalar>(face.cQ()));
   }
 
-  const AnyMesh& mesh_;
+  const Mesh& mesh_;
   int attributes_;
   std::string bytes_;
 };
@@ -521,11 +521,9 @@ class PlyText {
 }  // namespace
 
 bool write_ply(const MeshFile& file, const std::filesystem::path& path) {
-  if (file.precision == Precision::double_precision)
-    return write_bytes(PlyText<Mesh>(file.mesh, file.attributes).bytes(), path);
-  MeshF mesh;
-  convert(file.mesh, mesh);
-  return write_bytes(PlyText<MeshF>(mesh, file.attributes).bytes(), path);
+  return write_bytes(file.precision == Precision::double_precision ? PlyText<double>(file.mesh, file.attributes).bytes()
+                                                                   : PlyText<float>(file.mesh, file.attributes).bytes(),
+                     path);
 }
 
 }  // namespace mesh_tools::io

@@ -78,6 +78,16 @@ bool parse_whole(std::string_view word, Type type, double& result) {
 PlyData::PlyData(const std::string& bytes, const PlyLayout& layout, const std::filesystem::path& path)
     : layout_(layout), path_(path), at_(bytes.data() + layout.data_offset), end_(bytes.data() + bytes.size()) {}
 
+std::size_t PlyData::most_rows(const PlyLayout::Element& element, const PlyLayout::Property& list,
+                               std::size_t entries) const {
+  // As text a number takes a digit and a space.
+  const auto fewest = [&](Type type) { return layout_.format == PlyLayout::Format::ascii ? 2 : size_of(type); };
+  std::size_t bytes = entries * fewest(list.type);
+  for (const PlyLayout::Property& property : element.properties)
+    bytes += fewest(property.is_list ? property.count_type : property.type);
+  return static_cast<std::size_t>(end_ - at_) / bytes + 1;  // the last space may be missing
+}
+
 void PlyData::read(const PlyLayout::Element& element, std::size_t index, Row& row) {
   element_ = &element;
   index_ = index;

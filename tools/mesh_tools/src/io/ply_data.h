@@ -24,6 +24,9 @@ class PlyData {
   /// Reads row `index` of `element`; to be called for all rows in the order of the file.
   void read(const PlyLayout::Element& element, std::size_t index, Row& row);
 
+  /// How many rows of `element` what is left of the file can hold, if `list` has at least so many entries in each.
+  std::size_t most_rows(const PlyLayout::Element& element, const PlyLayout::Property& list, std::size_t entries) const;
+
   /// "element ROW what" as a FileError.
   [[noreturn]] void fail_at_row(const PlyLayout::Element& element, std::size_t index, const std::string& what) const;
 

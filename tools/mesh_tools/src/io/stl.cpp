@@ -154,10 +154,9 @@ MeshFile read_stl(const std::filesystem::path& path) {
 }
 
 bool write_stl(const MeshFile& file, const std::filesystem::path& path) {
-  MeshF mesh;
-  convert(file.mesh, mesh);
+  Mesh& mesh = const_cast<Mesh&>(file.mesh);  // the exporter takes what it only reads by a reference that is not const
   const int mask = file.attributes & face_color;
-  if (vcg::tri::io::ExporterSTL<MeshF>::Save(mesh, path.c_str(), true, mask) != 0) return false;
+  if (vcg::tri::io::ExporterSTL<Mesh>::Save(mesh, path.c_str(), true, mask) != 0) return false;
   std::error_code error;
   return std::filesystem::file_size(path, error) == header_size + facet_size * mesh.face.size();
 }
