@@ -30,8 +30,8 @@ const mesh_tools::Mesh& noisy_mesh(const Kind& kind);
 /// The same as the algorithms see it.
 struct Arrays {
   vcg_core::detail::MeshArrays mesh;
-  std::vector<vcg_core::detail::Vec3> normal;
-  std::vector<std::uint8_t> movable;
+  vcg_core::detail::Array<vcg_core::detail::Vec3> normal;
+  vcg_core::detail::Array<std::uint8_t> movable;
 };
 const Arrays& noisy_arrays(const Kind& kind);
 

@@ -77,10 +77,10 @@ void run(int argc, char** argv) {
   Job job(silent, 1);
   const MeshArrays mesh = read_mesh(file.mesh, job);
   job.begin_stage("Smoothing", 1);
-  std::vector<std::uint8_t> movable(mesh.size());
+  Array<std::uint8_t> movable(mesh.size());
   for (std::size_t v = 0; v < mesh.size(); ++v)
     movable[v] = mesh.topology.star_begin[v] < mesh.topology.star_begin[v + 1];
-  const std::vector<Vec3> no_normals;
+  const Array<Vec3> no_normals;
   const PassOutput output = guided_pass({mesh, mesh.position, no_normals, movable, parameters, 0, job}, settings);
   vcg_core::SmoothingReport report;
   commit_positions(mesh, output.position, file.mesh, report);

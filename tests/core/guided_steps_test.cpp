@@ -62,11 +62,11 @@ class GuidedSteps : public testing::Test {
   Job job{no_progress, 2};
   MeshArrays mesh = arrays_of(test_support::noisy_shape("cube", 400), job);
   FaceGeometry faces;
-  std::vector<Index> across;
+  Array<Index> across;
   FaceLists around;
-  std::vector<double> spacing;
+  Array<double> spacing;
   FaceLists within;
-  std::vector<std::uint8_t> movable;
+  Array<std::uint8_t> movable;
 };
 
 TEST(GuidedWeight, IsNearlyGaussian) {
@@ -114,9 +114,9 @@ TEST_F(GuidedSteps, FacesWithinAreTheConnectedBall) {
 }
 
 TEST_F(GuidedSteps, FilteredNormalsAreTheWeightedMean) {
-  const std::vector<double> weight = closeness_weights(within, faces, spacing, 1, job);
-  const std::vector<Vec3> guide = guide_normals(around, across, faces, faces.normal, GuidedSettings{}, job);
-  const std::vector<Vec3> filtered = filter_normals(within, weight, guide, faces.normal, 0.4, job);
+  const Array<double> weight = closeness_weights(within, faces, spacing, 1, job);
+  const Array<Vec3> guide = guide_normals(around, across, faces, faces.normal, GuidedSettings{}, job);
+  const Array<Vec3> filtered = filter_normals(within, weight, guide, faces.normal, 0.4, job);
   for (Index f = 0; f < mesh.face.size(); ++f) {
     Vec3 sum = Vec3::Zero();
     for (const Index* j = within.first(f); j != within.last(f); ++j) {
@@ -132,7 +132,7 @@ TEST_F(GuidedSteps, FilteredNormalsAreTheWeightedMean) {
 TEST_F(GuidedSteps, GuidesAreMeansOfTheMostConsistentPatch) {
   GuidedSettings settings;
   settings.guard_thin_parts = false;
-  const std::vector<Vec3> guide = guide_normals(around, across, faces, faces.normal, settings, job);
+  const Array<Vec3> guide = guide_normals(around, across, faces, faces.normal, settings, job);
   const auto patch = [&](Index center) {
     Vec3 sum = Vec3::Zero();
     for (const Index g : naive_around(center)) sum += faces.area[g] * faces.normal[g];
@@ -165,9 +165,9 @@ TEST_F(GuidedSteps, GuidesAreMeansOfTheMostConsistentPatch) {
 TEST_F(GuidedSteps, UpdateMovesToThePlanesOfTheFaces) {
   GuidedSettings settings;
   settings.unfold = false;
-  std::vector<Vec3> position = mesh.position;
+  Array<Vec3> position = mesh.position;
   movable[5] = 0;
-  const std::vector<Vec3> normal(mesh.face.size(), Vec3(1, 2, 3).normalized());
+  const Array<Vec3> normal(mesh.face.size(), Vec3(1, 2, 3).normalized());
   update_positions(mesh, normal, movable, 1, settings, position, job);
   for (Index v = 0; v < mesh.size(); ++v) {
     Vec3 sum = Vec3::Zero();
@@ -188,13 +188,13 @@ TEST(GuidedUnfolding, OpensFoldsWithinThePlane) {
   Job job{no_progress, 1};
   const FlatMesh flat = test_support::noisy_shape("plane_slash", 121, 0);
   MeshArrays mesh = arrays_of(flat, job);
-  std::vector<Vec3> position = mesh.position;
+  Array<Vec3> position = mesh.position;
   Index moved = 0;
   for (Index v = 0; v < mesh.size(); ++v)
     if ((position[v] - Vec3(0.5, 0.5, 0)).norm() < (position[moved] - Vec3(0.5, 0.5, 0)).norm()) moved = v;
   position[moved] += Vec3(0.17, 0.03, 0);
-  std::vector<Vec3> normal(mesh.face.size(), Vec3(0, 0, 1));
-  std::vector<std::uint8_t> movable(mesh.size());
+  Array<Vec3> normal(mesh.face.size(), Vec3(0, 0, 1));
+  Array<std::uint8_t> movable(mesh.size());
   for (Index v = 0; v < mesh.size(); ++v) movable[v] = !mesh.topology.border[v];
   const auto folds = [&] {
     FaceGeometry faces;
@@ -221,21 +221,21 @@ TEST(GuidedNoise, IsEstimated) {
 TEST(GuidedDetail, WhiteNoiseStaysOutAndShapeComesBack) {
   Job job{no_progress, 1};
   const MeshArrays noisy = arrays_of(test_support::noisy_shape("plane_delaunay", 2000, 0.2), job);
-  std::vector<Vec3> flat = noisy.position;
+  Array<Vec3> flat = noisy.position;
   for (Vec3& p : flat) p[2] = 0;
-  const std::vector<std::uint8_t> movable(noisy.size(), 1);
+  const Array<std::uint8_t> movable(noisy.size(), 1);
   const double e = noisy.topology.average_edge_length;
-  const auto rms = [&](const std::vector<Vec3>& position, const auto& height) {
+  const auto rms = [&](const Array<Vec3>& position, const auto& height) {
     double sum = 0;
     for (const Vec3& p : position) sum += std::pow(p[2] - height(p), 2);
     return std::sqrt(sum / static_cast<double>(position.size())) / e;
   };
-  std::vector<Vec3> position = flat;
+  Array<Vec3> position = flat;
   recover_detail(noisy, noisy.position, movable, GuidedSettings{}, position, job);
   EXPECT_LT(rms(position, [](const Vec3&) { return 0.0; }), 0.03);
 
   const auto wave = [&](const Vec3& p) { return 0.5 * e * std::sin(30 * p[0]) * std::sin(30 * p[1]); };
-  std::vector<Vec3> with_wave = noisy.position;
+  Array<Vec3> with_wave = noisy.position;
   for (Vec3& p : with_wave) p[2] += wave(p);
   position = flat;
   const double lost = rms(position, wave);
@@ -251,14 +251,14 @@ TEST(GuidedColor, DoesNotBleedOverAnEdge) {
   double top = -1e300;
   for (const Vec3& p : mesh.position) top = std::max(top, p[2]);
   const double e = mesh.topology.average_edge_length;
-  std::vector<double> truth;
+  Array<double> truth;
   for (Index v = 0; v < mesh.size(); ++v) {
     truth.push_back(mesh.position[v][2] > top - 0.1 * e ? 100 : 0);
     attributes.value.push_back(truth.back() + (v % 2 == 0 ? 10 : -10));  // noise
   }
-  const std::vector<std::uint8_t> movable(mesh.size(), 1);
+  const Array<std::uint8_t> movable(mesh.size(), 1);
   smooth_attributes(mesh, mesh.position, movable, GuidedSettings{}, attributes, job);
-  const std::vector<Vec3> normal = vertex_normals(mesh, mesh.position, job);
+  const Array<Vec3> normal = vertex_normals(mesh, mesh.position, job);
   double inside_top = 0, sides = 0;
   int top_count = 0, side_count = 0;
   for (Index v = 0; v < mesh.size(); ++v) {

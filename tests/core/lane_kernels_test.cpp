@@ -41,12 +41,12 @@ class Prepared {
   Prepared& operator=(const Prepared&) = delete;
 
   const MeshArrays& arrays() const { return arrays_; }
-  const std::vector<Vec3>& normal() const { return normal_; }
-  const std::vector<std::uint8_t>& movable() const { return movable_; }
+  const Array<Vec3>& normal() const { return normal_; }
+  const Array<std::uint8_t>& movable() const { return movable_; }
   Job& job() { return job_; }
   double unit() const { return arrays_.topology.average_edge_length; }
 
-  std::vector<Vec3> run(const LaneKernel& kernel, const SmoothingParameters& parameters) {
+  Array<Vec3> run(const LaneKernel& kernel, const SmoothingParameters& parameters) {
     return LanePass(kernel).run({arrays_, arrays_.position, normal_, movable_, parameters, 0, job_});
   }
 
@@ -55,12 +55,12 @@ class Prepared {
   Job job_;
   DoubleMesh mesh_;
   MeshArrays arrays_;
-  std::vector<Vec3> normal_;
-  std::vector<std::uint8_t> movable_;
+  Array<Vec3> normal_;
+  Array<std::uint8_t> movable_;
 };
 
 /// Number of vertices that two results place farther apart than `tolerance`.
-std::size_t differing(const std::vector<Vec3>& a, const std::vector<Vec3>& b, double tolerance) {
+std::size_t differing(const Array<Vec3>& a, const Array<Vec3>& b, double tolerance) {
   std::size_t count = 0;
   for (std::size_t v = 0; v < a.size(); ++v) count += !((a[v] - b[v]).norm() <= tolerance);
   return count;
@@ -72,9 +72,9 @@ TEST_P(LaneKernels, AgreeWithTheScalarFilter) {
   for (const std::string& name : shape_names()) {
     Prepared mesh(noisy_shape(name, 1000));
     const SmoothingParameters parameters;
-    const std::vector<Vec3> expected =
+    const Array<Vec3> expected =
         paper_pass(mesh.arrays(), mesh.arrays().position, mesh.normal(), mesh.movable(), parameters, mesh.job());
-    const std::vector<Vec3> result = mesh.run(*GetParam(), parameters);
+    const Array<Vec3> result = mesh.run(*GetParam(), parameters);
     // A distance may fall on the other side of the cut-off by the rounding of single precision.
     EXPECT_LE(differing(result, expected, 2e-6 * mesh.unit()), mesh.arrays().size() / 500) << name;
   }
@@ -82,7 +82,7 @@ TEST_P(LaneKernels, AgreeWithTheScalarFilter) {
 
 TEST_P(LaneKernels, GiveTheSameBitsForAnyNumberOfThreads) {
   const FlatMesh shape = noisy_shape("stepped_block", 2000);
-  const std::vector<Vec3> expected = Prepared(shape, 1).run(*GetParam(), {});
+  const Array<Vec3> expected = Prepared(shape, 1).run(*GetParam(), {});
   for (const int threads : {2, 3, 8}) EXPECT_EQ(Prepared(shape, threads).run(*GetParam(), {}), expected);
 }
 
@@ -103,7 +103,7 @@ double largest_distance_error(const FlatMesh& shape, const LaneKernel& kernel, d
   parameters.tolerance = 4e-6f;
   const LanePoll no_poll = [](void*) {};
   double largest = 0;
-  const std::vector<Index> patch_begin = patch_groups(groups, arrays);
+  const Array<Index> patch_begin = patch_groups(groups, arrays);
   for (std::size_t p = 0, g = 0; g < groups.size(); ++g) {
     if (g == patch_begin[p + 1]) ++p;
     const Patch& patch = builder.build(patch_begin[p], patch_begin[p + 1], cutoff + march_margin);

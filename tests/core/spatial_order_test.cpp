@@ -14,14 +14,15 @@
 namespace {
 
 using vcg_core::detail::count_coincident;
+using vcg_core::detail::Array;
 using vcg_core::detail::Index;
 using vcg_core::detail::morton_order;
 using vcg_core::detail::Vec3;
 
 /// Points of a coarse lattice, so that many fall together.
-std::vector<Vec3> lattice_points(std::size_t count, double cells, double scale) {
+Array<Vec3> lattice_points(std::size_t count, double cells, double scale) {
   mesh_tools::Random random(11);
-  std::vector<Vec3> points;
+  Array<Vec3> points;
   for (std::size_t k = 0; k < count; ++k) {
     const auto coordinate = [&] { return std::floor(random.uniform() * cells) * scale; };
     const double x = coordinate();
@@ -31,7 +32,7 @@ std::vector<Vec3> lattice_points(std::size_t count, double cells, double scale) 
   return points;
 }
 
-std::size_t count_by_comparing_all(const std::vector<Vec3>& points) {
+std::size_t count_by_comparing_all(const Array<Vec3>& points) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = 0; j < points.size(); ++j)
@@ -43,17 +44,17 @@ std::size_t count_by_comparing_all(const std::vector<Vec3>& points) {
 }
 
 TEST(SpatialOrder, IsAPermutationSortedByCode) {
-  const std::vector<Vec3> points = lattice_points(5000, 1000, 1e-3);
+  const Array<Vec3> points = lattice_points(5000, 1000, 1e-3);
   const auto [order, code] = morton_order(points);
   EXPECT_TRUE(std::is_sorted(code.begin(), code.end()));
-  std::vector<Index> sorted = order;
+  Array<Index> sorted = order;
   std::sort(sorted.begin(), sorted.end());
   ASSERT_EQ(sorted.size(), points.size());
   for (std::size_t k = 0; k < sorted.size(); ++k) EXPECT_EQ(sorted[k], k);
 }
 
 TEST(SpatialOrder, KeepsNeighborsTogether) {
-  const std::vector<Vec3> points = lattice_points(4096, 1e6, 1e-6);
+  const Array<Vec3> points = lattice_points(4096, 1e6, 1e-6);
   const auto order = morton_order(points).order;
   double in_order = 0;
   double as_given = 0;
@@ -66,21 +67,21 @@ TEST(SpatialOrder, KeepsNeighborsTogether) {
 
 TEST(SpatialOrder, OfPointsInOnePlaceAndOfNone) {
   EXPECT_EQ(morton_order({}).order.size(), 0u);
-  const std::vector<Vec3> same(10, Vec3(1, 2, 3));
+  const Array<Vec3> same(10, Vec3(1, 2, 3));
   EXPECT_EQ(morton_order(same).order.size(), 10u);
   EXPECT_EQ(count_coincident(same, morton_order(same)), 10u);
 }
 
 TEST(SpatialOrder, CountsCoincidentPointsAsComparingAllDoes) {
   for (const double cells : {3.0, 8.0, 30.0, 1000.0}) {
-    const std::vector<Vec3> points = lattice_points(700, cells, 0.1);
+    const Array<Vec3> points = lattice_points(700, cells, 0.1);
     EXPECT_EQ(count_coincident(points, morton_order(points)), count_by_comparing_all(points)) << cells;
   }
 }
 
 // Nearer than a cell of the order, and still not the same place.
 TEST(SpatialOrder, PointsInTheSameCellAreNotTheSame) {
-  const std::vector<Vec3> points{{0, 0, 0}, {1e-9, 0, 0}, {1, 1, 1}, {1e-9, 0, 0}, {0, 1e-9, 0}};
+  const Array<Vec3> points{{0, 0, 0}, {1e-9, 0, 0}, {1, 1, 1}, {1e-9, 0, 0}, {0, 1e-9, 0}};
   EXPECT_EQ(count_coincident(points, morton_order(points)), 2u);
 }
 

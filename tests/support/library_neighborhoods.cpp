@@ -16,8 +16,8 @@ namespace detail = vcg_core::detail;
 struct LibraryNeighborhoods::Inside {
   DoubleMesh mesh;
   detail::MeshArrays arrays;
-  std::vector<detail::Index> index_of;
-  std::vector<detail::TriangleFrame<double>> frames;
+  detail::Array<detail::Index> index_of;
+  detail::Array<detail::TriangleFrame<double>> frames;
   std::unique_ptr<detail::GeodesicMarch<double>> march;
 };
 

@@ -9,8 +9,8 @@ namespace vcg_core::detail {
 
 namespace {
 
-std::vector<Index> vertices_with_faces(const MeshArrays& mesh) {
-  std::vector<Index> vertices;
+Array<Index> vertices_with_faces(const MeshArrays& mesh) {
+  Array<Index> vertices;
   vertices.reserve(mesh.size());
   for (Index v = 0; v < mesh.size(); ++v)
     if (mesh.topology.star_begin[v] != mesh.topology.star_begin[v + 1]) vertices.push_back(v);

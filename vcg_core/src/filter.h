@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <vector>
 
 #include <vcg_core/detail/mesh_arrays.h>
 #include <vcg_core/smoothing_parameters.h>
@@ -14,10 +13,10 @@ class Job;
 
 /// What one pass of a smoothing filter gets.
 struct PassInput {
-  const MeshArrays& mesh;                    ///< the mesh as it was read
-  const std::vector<Vec3>& position;         ///< where its vertices are now, in units of MeshArrays::position
-  const std::vector<Vec3>& normal;           ///< their unit normals, zero where undefined; empty if not asked for
-  const std::vector<std::uint8_t>& movable;  ///< whether each vertex may move; never one without faces
+  const MeshArrays& mesh;              ///< the mesh as it was read
+  const Array<Vec3>& position;         ///< where its vertices are now, in units of MeshArrays::position
+  const Array<Vec3>& normal;           ///< their unit normals, zero where undefined; empty if not asked for
+  const Array<std::uint8_t>& movable;  ///< whether each vertex may move; never one without faces
   const SmoothingParameters& parameters;
   int pass;  ///< counts from 0 to parameters.iterations - 1
   Job& job;  ///< its stage is begun; for threads and progress
@@ -25,7 +24,7 @@ struct PassInput {
 
 /// What it gives back.
 struct PassOutput {
-  std::vector<Vec3> position;            ///< the new positions; unchanged where a vertex does not move
+  Array<Vec3> position;                  ///< the new positions; unchanged where a vertex does not move
   std::size_t empty_neighbourhoods = 0;  ///< movable vertices that had nothing to be smoothed by
 };
 

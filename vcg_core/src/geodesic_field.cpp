@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <vcg_core/detail/job.h>
 #include <vcg_core/errors.h>
@@ -21,7 +22,7 @@ constexpr double tolerance = 1e-12;
 }  // namespace
 
 std::vector<double> geodesic_field(const MeshArrays& mesh, std::size_t host_source, Job& job) {
-  const std::vector<Index> index_of = vertex_of_host(mesh);
+  const Array<Index> index_of = vertex_of_host(mesh);
   if (host_source >= index_of.size() || index_of[host_source] == mesh.size())
     throw InvalidParameter("start vertex is " + std::to_string(host_source) +
                            "; it must be the index of a vertex of the mesh, 0 to " +

@@ -21,7 +21,7 @@ namespace vcg_core::detail {
 /// @tparam Scalar  double for neighbourhoods; long double for single-source distances, which then come out of hundreds
 ///                 of steps correctly rounded to double wherever long double is the wider type
 /// @tparam Frames  gives the TriangleFrame of each corner: all kept, as many sources need them, or FramesOnDemand
-template <class Scalar, class Frames = std::vector<TriangleFrame<Scalar>>>
+template <class Scalar, class Frames = Array<TriangleFrame<Scalar>>>
 class GeodesicMarch {
  public:
   GeodesicMarch(const MeshArrays& mesh, const Frames& frames, Scalar tolerance);
@@ -31,7 +31,7 @@ class GeodesicMarch {
   void run(Index source, Scalar limit, const std::function<void(std::size_t settled)>& poll);
 
   /// The vertices reached by the last run, the source first.
-  const std::vector<Index>& reached() const { return reached_; }
+  const Array<Index>& reached() const { return reached_; }
   Scalar distance(Index v) const { return distance_[v]; }
 
  private:
@@ -46,7 +46,7 @@ class GeodesicMarch {
   Scalar tolerance_;
   std::vector<Scalar> distance_;
   std::vector<State> state_;
-  std::vector<Index> reached_;
+  Array<Index> reached_;
   using Entry = std::pair<Scalar, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> front_;
 };

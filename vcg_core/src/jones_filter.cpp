@@ -14,19 +14,19 @@ namespace vcg_core::detail {
 namespace {
 
 struct FaceMeans {
-  std::vector<Vec3> centroid;
-  std::vector<double> area;  ///< in |e|^2
+  Array<Vec3> centroid;
+  Array<double> area;  ///< in |e|^2
 };
 
-Vec3 face_cross(const MeshArrays& mesh, const std::vector<Vec3>& position, std::size_t f) {
+Vec3 face_cross(const MeshArrays& mesh, const Array<Vec3>& position, std::size_t f) {
   const auto& face = mesh.face[f];
   const Vec3& a = position[face[0]];
   return (position[face[1]] - a).cross(position[face[2]] - a);
 }
 
-FaceMeans face_means(const MeshArrays& mesh, const std::vector<Vec3>& position, Job& job) {
+FaceMeans face_means(const MeshArrays& mesh, const Array<Vec3>& position, Job& job) {
   const double unit = mesh.topology.average_edge_length;
-  FaceMeans means{std::vector<Vec3>(mesh.face.size()), std::vector<double>(mesh.face.size())};
+  FaceMeans means{Array<Vec3>(mesh.face.size()), Array<double>(mesh.face.size())};
   job.parallel(mesh.face.size(), 4096, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
@@ -38,8 +38,8 @@ FaceMeans face_means(const MeshArrays& mesh, const std::vector<Vec3>& position, 
   return means;
 }
 
-std::vector<Index> faces_with_area(const FaceMeans& means) {
-  std::vector<Index> faces;
+Array<Index> faces_with_area(const FaceMeans& means) {
+  Array<Index> faces;
   for (Index f = 0; f < means.area.size(); ++f)
     if (means.area[f] > 0) faces.push_back(f);
   return faces;
@@ -50,12 +50,12 @@ double exponent(double squared_argument, double sigma) { return -squared_argumen
 
 /// The vertices of the copy that lends its normals: all that have faces, movable or not. The progress
 /// bar waits meanwhile, so that it does not stand at its end through the predictions.
-std::vector<Vec3> mollified_positions(const PassInput& in, const FaceMeans& means, const std::vector<Index>& faces) {
+Array<Vec3> mollified_positions(const PassInput& in, const FaceMeans& means, const Array<Index>& faces) {
   const double unit = in.mesh.topology.average_edge_length;
   const double sigma = in.parameters.sigma_c / 2;
   const PointGrid grid(means.centroid, faces, in.parameters.rho * sigma * unit);
   in.job.poll();
-  std::vector<Vec3> mollified = in.position;
+  Array<Vec3> mollified = in.position;
   in.job.parallel(in.mesh.size(), 256, Loop::minor, [&](Chunks& chunks) {
     PointGrid::Search ball(grid);
     while (chunks.next())
@@ -78,8 +78,8 @@ std::vector<Vec3> mollified_positions(const PassInput& in, const FaceMeans& mean
 }
 
 /// Unit normals of the faces; zero for those without area.
-std::vector<Vec3> face_normals(const MeshArrays& mesh, const std::vector<Vec3>& position, Job& job) {
-  std::vector<Vec3> normal(mesh.face.size());
+Array<Vec3> face_normals(const MeshArrays& mesh, const Array<Vec3>& position, Job& job) {
+  Array<Vec3> normal(mesh.face.size());
   job.parallel(mesh.face.size(), 4096, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f)
@@ -95,8 +95,8 @@ PassOutput jones_pass(const PassInput& in) {
   const double sigma_c = in.parameters.sigma_c;
   const double sigma_s = in.parameters.sigma_s;
   const FaceMeans means = face_means(in.mesh, in.position, in.job);
-  const std::vector<Index> faces = faces_with_area(means);
-  const std::vector<Vec3> normal = face_normals(in.mesh, mollified_positions(in, means, faces), in.job);
+  const Array<Index> faces = faces_with_area(means);
+  const Array<Vec3> normal = face_normals(in.mesh, mollified_positions(in, means, faces), in.job);
 
   in.job.poll();
   const PointGrid grid(means.centroid, faces, in.parameters.rho * sigma_c * unit);

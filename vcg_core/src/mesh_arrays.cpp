@@ -13,24 +13,24 @@ namespace vcg_core::detail {
 namespace {
 
 template <class T>
-void permute(std::vector<T>& values, const std::vector<Index>& order) {
-  std::vector<T> permuted(values.size());
+void permute(Array<T>& values, const Array<Index>& order) {
+  Array<T> permuted(values.size());
   for (std::size_t i = 0; i < order.size(); ++i) permuted[i] = values[order[i]];
   values.swap(permuted);
 }
 
 /// Puts the faces in the order of their lowest vertex, by counting; renames their vertices first.
-void permute_faces(std::vector<std::array<Index, 3>>& faces, const std::vector<Index>& order) {
-  std::vector<Index> new_index(order.size());
+void permute_faces(Array<std::array<Index, 3>>& faces, const Array<Index>& order) {
+  Array<Index> new_index(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) new_index[order[i]] = static_cast<Index>(i);
-  std::vector<Index> begin(order.size() + 1, 0);
+  Array<Index> begin(order.size() + 1, 0);
   const auto lowest = [](const std::array<Index, 3>& f) { return std::min({f[0], f[1], f[2]}); };
   for (auto& face : faces) {
     for (Index& v : face) v = new_index[v];
     ++begin[lowest(face) + 1];
   }
   for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
-  std::vector<std::array<Index, 3>> permuted(faces.size());
+  Array<std::array<Index, 3>> permuted(faces.size());
   for (const auto& face : faces) permuted[begin[lowest(face)]++] = face;
   faces.swap(permuted);
 }
@@ -54,8 +54,8 @@ MeshArrays make_mesh_arrays(RawMesh raw, Job& job) {
   return mesh;
 }
 
-std::vector<Index> vertex_of_host(const MeshArrays& mesh) {
-  std::vector<Index> result(mesh.host_vertex_count, static_cast<Index>(mesh.size()));
+Array<Index> vertex_of_host(const MeshArrays& mesh) {
+  Array<Index> result(mesh.host_vertex_count, static_cast<Index>(mesh.size()));
   for (std::size_t i = 0; i < mesh.size(); ++i) result[mesh.host_vertex[i]] = static_cast<Index>(i);
   return result;
 }

@@ -43,7 +43,7 @@ struct EdgeSums {
 };
 
 /// Classifies v by its edges, and adds up those whose other end has a higher index.
-void visit_edges(const RawMesh& mesh, const MeshTopology& topology, Index v, std::vector<Index>& ends, EdgeSums& sums,
+void visit_edges(const RawMesh& mesh, const MeshTopology& topology, Index v, Array<Index>& ends, EdgeSums& sums,
                  std::uint8_t& kind) {
   ends.clear();
   for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
@@ -80,10 +80,10 @@ MeshTopology find_topology(const RawMesh& mesh, Job& job) {
   find_stars(mesh, topology);
   job.report(0.6);
 
-  std::vector<std::uint8_t> kind(n, 0);
-  std::vector<EdgeSums> sums((n + grain - 1) / grain);  // one a chunk: added up in their order, whoever computed them
+  Array<std::uint8_t> kind(n, 0);
+  Array<EdgeSums> sums((n + grain - 1) / grain);  // one a chunk: added up in their order, whoever computed them
   job.parallel(n, grain, [&](Chunks& chunks) {
-    std::vector<Index> ends;
+    Array<Index> ends;
     while (chunks.next())
       for (std::size_t v = chunks.begin(); v < chunks.end(); ++v)
         visit_edges(mesh, topology, static_cast<Index>(v), ends, sums[chunks.index()], kind[v]);

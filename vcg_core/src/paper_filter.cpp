@@ -14,8 +14,8 @@ namespace {
 constexpr double reopen_gain = 1e-9;
 
 /// Section 6's d_i, in |e|, over the vertices that the march from v_i reached. `unit` is |e|.
-double paper_offset(Index i, const GeodesicMarch<double>& march, const std::vector<Vec3>& position,
-                    const std::vector<Vec3>& normal, double cutoff, const GaussianWeights& weights, double unit) {
+double paper_offset(Index i, const GeodesicMarch<double>& march, const Array<Vec3>& position, const Array<Vec3>& normal,
+                    double cutoff, const GaussianWeights& weights, double unit) {
   double sum = 0;
   double sum_of_weights = 0;
   for (const Index j : march.reached()) {
@@ -32,14 +32,13 @@ double paper_offset(Index i, const GeodesicMarch<double>& march, const std::vect
 
 }  // namespace
 
-std::vector<Vec3> paper_pass(const MeshArrays& mesh, const std::vector<Vec3>& position, const std::vector<Vec3>& normal,
-                             const std::vector<std::uint8_t>& movable, const SmoothingParameters& parameters,
-                             Job& job) {
+Array<Vec3> paper_pass(const MeshArrays& mesh, const Array<Vec3>& position, const Array<Vec3>& normal,
+                       const Array<std::uint8_t>& movable, const SmoothingParameters& parameters, Job& job) {
   const double unit = mesh.topology.average_edge_length;
   const double cutoff = parameters.rho * parameters.sigma_c;
   const GaussianWeights weights(parameters.sigma_c, parameters.sigma_s, parameters.sigma_n, parameters.gaussian);
-  const std::vector<TriangleFrame<double>> frames = triangle_frames(mesh, position, unit, job);
-  std::vector<Vec3> moved = position;
+  const Array<TriangleFrame<double>> frames = triangle_frames(mesh, position, unit, job);
+  Array<Vec3> moved = position;
   job.parallel(mesh.size(), 64, [&](Chunks& chunks) {
     GeodesicMarch<double> march(mesh, frames, reopen_gain);
     while (chunks.next())

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include <vcg_core/detail/mesh_arrays.h>
 #include <vcg_core/smoothing_parameters.h>
@@ -20,7 +19,7 @@ constexpr double march_margin = 0.5;
 /// @param normal    their normals; zero where undefined: such a vertex neither moves nor counts as a neighbour
 /// @param movable   whether each vertex may move
 /// @return          the new positions
-std::vector<Vec3> paper_pass(const MeshArrays& mesh, const std::vector<Vec3>& position, const std::vector<Vec3>& normal,
-                             const std::vector<std::uint8_t>& movable, const SmoothingParameters& parameters, Job& job);
+Array<Vec3> paper_pass(const MeshArrays& mesh, const Array<Vec3>& position, const Array<Vec3>& normal,
+                       const Array<std::uint8_t>& movable, const SmoothingParameters& parameters, Job& job);
 
 }  // namespace vcg_core::detail

@@ -19,7 +19,7 @@ constexpr std::int64_t most_cells = std::int64_t(1) << most_bits_per_axis;
 
 }  // namespace
 
-PointGrid::PointGrid(const std::vector<Vec3>& position, const std::vector<Index>& points, double radius)
+PointGrid::PointGrid(const Array<Vec3>& position, const Array<Index>& points, double radius)
     : squared_radius_(std::max(radius * radius, smallest)),
       key_(points.size()),
       index_(points),

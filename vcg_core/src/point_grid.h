@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <utility>
-#include <vector>
 
 #include <vcg_core/detail/mesh_arrays.h>
 
@@ -15,7 +14,7 @@ class PointGrid {
  public:
   /// @param points  indices into `position` of the points to find
   /// @param radius  > 0, in units of `position`
-  PointGrid(const std::vector<Vec3>& position, const std::vector<Index>& points, double radius);
+  PointGrid(const Array<Vec3>& position, const Array<Index>& points, double radius);
 
   /// One thread's searches. Places near the one before cost less: the cells around it are remembered.
   class Search {
@@ -50,9 +49,9 @@ class PointGrid {
   std::int64_t last_cell_;  ///< along each axis
   int bits_per_axis_;
   Vec3 origin_;
-  std::vector<std::uint64_t> key_;  ///< the cell of each point, ascending; neighbours along x are consecutive
-  std::vector<Index> index_;
-  std::vector<Vec3> position_;
+  Array<std::uint64_t> key_;  ///< the cell of each point, ascending; neighbours along x are consecutive
+  Array<Index> index_;
+  Array<Vec3> position_;
 };
 
 }  // namespace vcg_core::detail

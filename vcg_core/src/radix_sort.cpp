@@ -5,11 +5,11 @@
 
 namespace vcg_core::detail {
 
-void radix_sort(std::vector<std::uint64_t>& code, std::vector<Index>& order, int bits) {
+void radix_sort(Array<std::uint64_t>& code, Array<Index>& order, int bits) {
   constexpr int digit_bits = 11;
   constexpr std::size_t buckets = std::size_t(1) << digit_bits;
-  std::vector<std::uint64_t> other_code(code.size());
-  std::vector<Index> other_order(order.size());
+  Array<std::uint64_t> other_code(code.size());
+  Array<Index> other_order(order.size());
   for (int shift = 0; shift < bits; shift += digit_bits) {
     std::size_t begin[buckets] = {};
     const auto digit = [shift](std::uint64_t c) { return (c >> shift) & (buckets - 1); };

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include <vcg_core/detail/mesh_arrays.h>
 
@@ -9,6 +8,6 @@ namespace vcg_core::detail {
 
 /// Sorts indices by the lowest `bits` bits of their codes, and the codes with them; equal codes keep their order. A
 /// comparison sort takes several times as long on a million vertices.
-void radix_sort(std::vector<std::uint64_t>& code, std::vector<Index>& order, int bits);
+void radix_sort(Array<std::uint64_t>& code, Array<Index>& order, int bits);
 
 }  // namespace vcg_core::detail

@@ -15,10 +15,10 @@ namespace vcg_core::detail {
 namespace {
 
 /// Which vertices may move; counts why the others may not.
-std::vector<std::uint8_t> find_movable(const MeshArrays& mesh, const SmoothingParameters& parameters,
-                                       SmoothingReport& report) {
+Array<std::uint8_t> find_movable(const MeshArrays& mesh, const SmoothingParameters& parameters,
+                                 SmoothingReport& report) {
   const MeshTopology& topology = mesh.topology;
-  std::vector<std::uint8_t> movable(mesh.size());
+  Array<std::uint8_t> movable(mesh.size());
   for (std::size_t i = 0; i < mesh.size(); ++i) {
     const bool held = (parameters.boundary == Boundary::fixed && topology.border[i]) ||
                       (parameters.selected_only && !mesh.selected[i]);
@@ -44,8 +44,8 @@ void describe_mesh(const MeshArrays& mesh, const MethodInfo& method, const Smoot
   report.degenerate_faces = mesh.topology.degenerate_faces;
 }
 
-void count_undefined_normals(const MeshArrays& mesh, const std::vector<Vec3>& normal,
-                             const std::vector<std::uint8_t>& movable, SmoothingReport& report) {
+void count_undefined_normals(const MeshArrays& mesh, const Array<Vec3>& normal, const Array<std::uint8_t>& movable,
+                             SmoothingReport& report) {
   for (std::size_t i = 0; i < mesh.size(); ++i)
     report.skipped_vertices.undefined_normal += movable[i] && normal[i].isZero(0);
 }
@@ -61,14 +61,14 @@ SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const Smoot
   const FilterEntry& filter = filter_entry(method);
   SmoothingResult result;
   describe_mesh(mesh, filter.info, parameters, result.report);
-  const std::vector<std::uint8_t> movable = find_movable(mesh, parameters, result.report);
+  const Array<std::uint8_t> movable = find_movable(mesh, parameters, result.report);
 
   const FilterPass run_pass = filter.make_pass();
   result.position = mesh.position;
   const int passes = filter.one_pass ? 1 : parameters.iterations;
   for (int pass = 0; pass < passes; ++pass) {
     job.begin_stage("Smoothing", 0.05 + 0.94 * (pass + 1) / passes);
-    std::vector<Vec3> normal;
+    Array<Vec3> normal;
     if (filter.needs_normals) normal = vertex_normals(mesh, result.position, job);
     if (filter.needs_normals && pass == 0) count_undefined_normals(mesh, normal, movable, result.report);
     PassOutput output = run_pass({mesh, result.position, normal, movable, parameters, pass, job});

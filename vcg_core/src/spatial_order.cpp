@@ -24,13 +24,13 @@ std::uint64_t spread(std::uint64_t x) {
   return x;
 }
 
-std::vector<std::uint64_t> morton_codes(const std::vector<Vec3>& position) {
+Array<std::uint64_t> morton_codes(const Array<Vec3>& position) {
   Eigen::AlignedBox3d box;
   for (const Vec3& p : position) box.extend(p);
   const double extent = position.empty() ? 0.0 : box.sizes().maxCoeff();
   const double cells = (1 << bits_per_axis) - 1;
   const double scale = extent > 0 ? cells / extent : 0.0;
-  std::vector<std::uint64_t> codes(position.size());
+  Array<std::uint64_t> codes(position.size());
   for (std::size_t i = 0; i < position.size(); ++i) {
     std::uint64_t code = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -44,21 +44,21 @@ std::vector<std::uint64_t> morton_codes(const std::vector<Vec3>& position) {
 
 }  // namespace
 
-SpatialOrder morton_order(const std::vector<Vec3>& position) {
-  SpatialOrder result{std::vector<Index>(position.size()), morton_codes(position)};
+SpatialOrder morton_order(const Array<Vec3>& position) {
+  SpatialOrder result{Array<Index>(position.size()), morton_codes(position)};
   std::iota(result.order.begin(), result.order.end(), Index(0));
   radix_sort(result.code, result.order, 3 * bits_per_axis);
   return result;
 }
 
-std::size_t count_coincident(const std::vector<Vec3>& position, const SpatialOrder& order) {
+std::size_t count_coincident(const Array<Vec3>& position, const SpatialOrder& order) {
   const auto less = [&](Index a, Index b) {
     const Vec3& p = position[a];
     const Vec3& q = position[b];
     return std::tie(p[0], p[1], p[2]) < std::tie(q[0], q[1], q[2]);
   };
   std::size_t count = 0;
-  std::vector<Index> same_code;
+  Array<Index> same_code;
   for (std::size_t begin = 0, end = 0; begin < order.code.size(); begin = end) {
     while (end < order.code.size() && order.code[end] == order.code[begin]) ++end;
     if (end - begin < 2) continue;

@@ -1,22 +1,21 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include <vcg_core/detail/mesh_arrays.h>
 
 namespace vcg_core::detail {
 
 struct SpatialOrder {
-  std::vector<Index> order;         ///< old index of the vertex at each new place
-  std::vector<std::uint64_t> code;  ///< Morton code at each new place, ascending
+  Array<Index> order;         ///< old index of the vertex at each new place
+  Array<std::uint64_t> code;  ///< Morton code at each new place, ascending
 };
 
 /// Orders points along a Morton curve through their bounding box: what is close in space comes close in memory.
 /// Equal codes keep their given order.
-SpatialOrder morton_order(const std::vector<Vec3>& position);
+SpatialOrder morton_order(const Array<Vec3>& position);
 
 /// Number of points that lie at exactly the place of another one.
-std::size_t count_coincident(const std::vector<Vec3>& position, const SpatialOrder& order);
+std::size_t count_coincident(const Array<Vec3>& position, const SpatialOrder& order);
 
 }  // namespace vcg_core::detail

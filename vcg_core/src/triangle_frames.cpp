@@ -7,8 +7,7 @@
 namespace vcg_core::detail {
 
 template <class Scalar>
-TriangleFrame<Scalar> triangle_frame(const MeshArrays& mesh, const std::vector<Vec3>& position, Index corner,
-                                     Scalar unit) {
+TriangleFrame<Scalar> triangle_frame(const MeshArrays& mesh, const Array<Vec3>& position, Index corner, Scalar unit) {
   const auto at = [&](Index c) { return position[vertex_of(mesh, c)].template cast<Scalar>().eval(); };
   const auto v_1 = at(next_in_face(corner));
   const auto along = ((at(previous_in_face(corner)) - v_1) / unit).eval();
@@ -20,9 +19,9 @@ TriangleFrame<Scalar> triangle_frame(const MeshArrays& mesh, const std::vector<V
 }
 
 template <class Scalar>
-std::vector<TriangleFrame<Scalar>> triangle_frames(const MeshArrays& mesh, const std::vector<Vec3>& position,
-                                                   Scalar unit, Job& job) {
-  std::vector<TriangleFrame<Scalar>> frames(3 * mesh.face.size());
+Array<TriangleFrame<Scalar>> triangle_frames(const MeshArrays& mesh, const Array<Vec3>& position, Scalar unit,
+                                             Job& job) {
+  Array<TriangleFrame<Scalar>> frames(3 * mesh.face.size());
   job.parallel(mesh.face.size(), 4096, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t corner = 3 * chunks.begin(); corner < 3 * chunks.end(); ++corner)
@@ -31,7 +30,7 @@ std::vector<TriangleFrame<Scalar>> triangle_frames(const MeshArrays& mesh, const
   return frames;
 }
 
-template TriangleFrame<long double> triangle_frame(const MeshArrays&, const std::vector<Vec3>&, Index, long double);
-template std::vector<TriangleFrame<double>> triangle_frames(const MeshArrays&, const std::vector<Vec3>&, double, Job&);
+template TriangleFrame<long double> triangle_frame(const MeshArrays&, const Array<Vec3>&, Index, long double);
+template Array<TriangleFrame<double>> triangle_frames(const MeshArrays&, const Array<Vec3>&, double, Job&);
 
 }  // namespace vcg_core::detail

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include <vcg_core/detail/mesh_arrays.h>
 
 #include "virtual_start.h"
@@ -10,8 +8,7 @@ namespace vcg_core::detail {
 
 /// The frame of a face at one of its corners. Lengths are those of `position` divided by `unit`.
 template <class Scalar>
-TriangleFrame<Scalar> triangle_frame(const MeshArrays& mesh, const std::vector<Vec3>& position, Index corner,
-                                     Scalar unit);
+TriangleFrame<Scalar> triangle_frame(const MeshArrays& mesh, const Array<Vec3>& position, Index corner, Scalar unit);
 
 /// Frames in the mesh's own unit, computed when they are asked for: a march from a single source needs each but once or
 /// twice, and memory for all of them takes longer to get than a user who cancels wants to wait.
@@ -28,7 +25,7 @@ class FramesOnDemand {
 
 /// The frame of every face at each of its corners, by corner. Lengths are those of `position` divided by `unit`.
 template <class Scalar>
-std::vector<TriangleFrame<Scalar>> triangle_frames(const MeshArrays& mesh, const std::vector<Vec3>& position,
-                                                   Scalar unit, Job& job);
+Array<TriangleFrame<Scalar>> triangle_frames(const MeshArrays& mesh, const Array<Vec3>& position, Scalar unit,
+                                             Job& job);
 
 }  // namespace vcg_core::detail

@@ -28,7 +28,7 @@ bool is_border_edge(const MeshArrays& arrays, Index corner) {
 
 VcglibMesh::VcglibMesh(const MeshArrays& arrays, Job& job) {
   const MeshTopology& topology = arrays.topology;
-  std::vector<Index> index_of(arrays.size());
+  Array<Index> index_of(arrays.size());
   for (Index v = 0; v < arrays.size(); ++v) {
     if (topology.star_begin[v] == topology.star_begin[v + 1]) continue;
     index_of[v] = static_cast<Index>(vertex_.size());
@@ -52,7 +52,7 @@ VcglibMesh::VcglibMesh(const MeshArrays& arrays, Job& job) {
 }
 
 void VcglibMesh::find_borders() {
-  std::vector<Index> edges(mesh_.vert.size(), 0);
+  Array<Index> edges(mesh_.vert.size(), 0);
   for (const SmoothedFace& face : mesh_.face)
     for (int k = 0; k < 3; ++k)
       if (face.IsB(k))
@@ -77,8 +77,8 @@ void VcglibMesh::load(const PassInput& in) {
   for (const Index v : border_) has_movable_border_ = has_movable_border_ || mesh_.vert[v].IsS();
 }
 
-std::vector<Vec3> VcglibMesh::positions(const PassInput& in) const {
-  std::vector<Vec3> position = in.position;
+Array<Vec3> VcglibMesh::positions(const PassInput& in) const {
+  Array<Vec3> position = in.position;
   for (std::size_t v = 0; v < vertex_.size(); ++v) {
     if (!mesh_.vert[v].IsS()) continue;
     const vcg::Point3d& p = mesh_.vert[v].cP();

@@ -33,7 +33,7 @@ class VcglibMesh {
 
   /// Brings the positions into the mesh, and selects the movable vertices.
   void load(const PassInput& in);
-  std::vector<Vec3> positions(const PassInput& in) const;
+  Array<Vec3> positions(const PassInput& in) const;
 
   bool has_movable_border() const { return has_movable_border_; }
 
@@ -56,9 +56,9 @@ class VcglibMesh {
   void find_borders();
 
   SmoothedMesh mesh_;
-  std::vector<Index> vertex_;         ///< index in the arrays of each vertex of mesh_
-  std::vector<Index> border_;         ///< the vertices of mesh_ on border edges
-  std::vector<double> border_edges_;  ///< how many, for each of them
+  Array<Index> vertex_;         ///< index in the arrays of each vertex of mesh_
+  Array<Index> border_;         ///< the vertices of mesh_ on border edges
+  Array<double> border_edges_;  ///< how many, for each of them
   bool has_movable_border_ = false;
 };
 

@@ -15,7 +15,7 @@ namespace {
 /// Below this length a sum of unit normals is what rounding left of normals that cancel each other.
 constexpr double cancelled = 1e-9;
 
-Vec3 vertex_normal(const MeshArrays& mesh, const std::vector<Vec3>& position, Index v) {
+Vec3 vertex_normal(const MeshArrays& mesh, const Array<Vec3>& position, Index v) {
   Vec3 sum = Vec3::Zero();
   const MeshTopology& topology = mesh.topology;
   for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
@@ -33,8 +33,8 @@ Vec3 vertex_normal(const MeshArrays& mesh, const std::vector<Vec3>& position, In
 
 }  // namespace
 
-std::vector<Vec3> vertex_normals(const MeshArrays& mesh, const std::vector<Vec3>& position, Job& job) {
-  std::vector<Vec3> normal(mesh.size());
+Array<Vec3> vertex_normals(const MeshArrays& mesh, const Array<Vec3>& position, Job& job) {
+  Array<Vec3> normal(mesh.size());
   job.parallel(mesh.size(), 4096, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t v = chunks.begin(); v < chunks.end(); ++v)

@@ -40,15 +40,14 @@ class WeightedMean {
 
 }  // namespace
 
-void smooth_attributes(const MeshArrays& mesh, const std::vector<Vec3>& position,
-                       const std::vector<std::uint8_t>& movable, const GuidedSettings& settings,
-                       VertexAttributes& attributes, Job& job) {
+void smooth_attributes(const MeshArrays& mesh, const Array<Vec3>& position, const Array<std::uint8_t>& movable,
+                       const GuidedSettings& settings, VertexAttributes& attributes, Job& job) {
   const std::size_t channels = attributes.channels();
   if (channels == 0) return;
-  const std::vector<Vec3> normal = vertex_normals(mesh, position, job);
+  const Array<Vec3> normal = vertex_normals(mesh, position, job);
   const RangeWeight similar(settings.fine_range);
   const MeshTopology& topology = mesh.topology;
-  std::vector<double> smoothed = attributes.value;
+  Array<double> smoothed = attributes.value;
   for (int ring = 0; ring < rings; ++ring) {
     job.parallel(mesh.size(), 4096, Loop::minor, [&](Chunks& chunks) {
       while (chunks.next())

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include <vcg_core/detail/mesh_arrays.h>
 #include <vcg_core/detail/vertex_attributes.h>
@@ -15,8 +14,7 @@ namespace vcg_core::detail {
 /// normals differ, so that nothing bleeds over; along it, and within a face of the shape, they do not. Vertices that
 /// may not move keep theirs and serve as neighbours. Numbers that are not finite stay and are passed over.
 /// @param position  the smoothed one
-void smooth_attributes(const MeshArrays& mesh, const std::vector<Vec3>& position,
-                       const std::vector<std::uint8_t>& movable, const GuidedSettings& settings,
-                       VertexAttributes& attributes, Job& job);
+void smooth_attributes(const MeshArrays& mesh, const Array<Vec3>& position, const Array<std::uint8_t>& movable,
+                       const GuidedSettings& settings, VertexAttributes& attributes, Job& job);
 
 }  // namespace vcg_core::detail

@@ -30,9 +30,9 @@ constexpr double noise_above_ring = 0.926;
 constexpr double median_of_normal = 0.6745;
 
 /// Unit sums of the normals of each vertex's faces; zero where they cancel.
-std::vector<Vec3> mean_normals(const MeshArrays& mesh, const std::vector<Vec3>& face_normal, Job& job) {
+Array<Vec3> mean_normals(const MeshArrays& mesh, const Array<Vec3>& face_normal, Job& job) {
   const MeshTopology& topology = mesh.topology;
-  std::vector<Vec3> normal(mesh.size());
+  Array<Vec3> normal(mesh.size());
   job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t v = chunks.begin(); v < chunks.end(); ++v) {
@@ -47,9 +47,9 @@ std::vector<Vec3> mean_normals(const MeshArrays& mesh, const std::vector<Vec3>& 
 }
 
 /// The mean over the one ring, the vertex itself with the weight of one neighbour of six; `rings` times.
-std::vector<double> low_pass(const MeshArrays& mesh, std::vector<double> value, int rings, Job& job) {
+Array<double> low_pass(const MeshArrays& mesh, Array<double> value, int rings, Job& job) {
   const MeshTopology& topology = mesh.topology;
-  std::vector<double> mean(value.size());
+  Array<double> mean(value.size());
   for (int ring = 0; ring < rings; ++ring) {
     job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
       while (chunks.next())
@@ -68,8 +68,8 @@ std::vector<double> low_pass(const MeshArrays& mesh, std::vector<double> value, 
   return value;
 }
 
-double noise_of(const std::vector<double>& residual, const std::vector<double>& one_ring) {
-  std::vector<double> above(residual.size());
+double noise_of(const Array<double>& residual, const Array<double>& one_ring) {
+  Array<double> above(residual.size());
   for (std::size_t v = 0; v < above.size(); ++v) above[v] = std::abs(residual[v] - one_ring[v]);
   return median(std::move(above)) / (median_of_normal * noise_above_ring);
 }
@@ -83,19 +83,19 @@ double share_of_shape(double energy, const GuidedSettings& settings) {
 
 }  // namespace
 
-void recover_detail(const MeshArrays& mesh, const std::vector<Vec3>& noisy, const std::vector<std::uint8_t>& movable,
-                    const GuidedSettings& settings, std::vector<Vec3>& position, Job& job) {
+void recover_detail(const MeshArrays& mesh, const Array<Vec3>& noisy, const Array<std::uint8_t>& movable,
+                    const GuidedSettings& settings, Array<Vec3>& position, Job& job) {
   double noise = -1;
   FaceGeometry faces;
   for (const int rings : scales) {
     faces.measure(mesh, position, job);
-    const std::vector<Vec3> normal = mean_normals(mesh, faces.normal, job);
-    std::vector<double> residual(mesh.size());
+    const Array<Vec3> normal = mean_normals(mesh, faces.normal, job);
+    Array<double> residual(mesh.size());
     for (std::size_t v = 0; v < residual.size(); ++v) residual[v] = (noisy[v] - position[v]).dot(normal[v]);
     if (noise < 0) noise = settings.noise_scale * noise_of(residual, low_pass(mesh, residual, 1, job));
-    const std::vector<double> low = low_pass(mesh, residual, rings, job);
+    const Array<double> low = low_pass(mesh, residual, rings, job);
     const double expected = noise * noise * variance_of_one_ring / rings;
-    std::vector<double> energy(low.size());
+    Array<double> energy(low.size());
     for (std::size_t v = 0; v < low.size(); ++v) energy[v] = low[v] * low[v];
     energy = low_pass(mesh, std::move(energy), energy_rings + rings, job);
     for (std::size_t v = 0; v < low.size(); ++v) {

@@ -6,7 +6,7 @@
 
 namespace vcg_core::detail {
 
-void FaceGeometry::measure(const MeshArrays& mesh, const std::vector<Vec3>& position, Job& job) {
+void FaceGeometry::measure(const MeshArrays& mesh, const Array<Vec3>& position, Job& job) {
   normal.resize(mesh.face.size());
   centroid.resize(mesh.face.size());
   area.resize(mesh.face.size());

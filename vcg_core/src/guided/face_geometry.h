@@ -6,11 +6,11 @@ namespace vcg_core::detail {
 
 /// Normals, centroids and areas of all faces, for vertices at `position`. The normal of a face without area is zero.
 struct FaceGeometry {
-  std::vector<Vec3> normal;
-  std::vector<Vec3> centroid;
-  std::vector<double> area;
+  Array<Vec3> normal;
+  Array<Vec3> centroid;
+  Array<double> area;
 
-  void measure(const MeshArrays& mesh, const std::vector<Vec3>& position, Job& job);
+  void measure(const MeshArrays& mesh, const Array<Vec3>& position, Job& job);
 };
 
 }  // namespace vcg_core::detail

@@ -33,7 +33,7 @@ class Marks {
   }
 
  private:
-  std::vector<Index> mark_;
+  Array<Index> mark_;
   Index current_ = 0;
 };
 
@@ -41,13 +41,13 @@ class Marks {
 template <class Append>
 FaceLists make_lists(std::size_t faces, Job& job, const Append& append) {
   const std::size_t chunk_count = (faces + grain - 1) / grain;
-  std::vector<std::vector<Index>> part(chunk_count);
+  std::vector<Array<Index>> part(chunk_count);
   FaceLists lists;
   lists.begin.assign(faces + 1, 0);
   job.parallel(faces, grain, Loop::minor, [&](Chunks& chunks) {
     Marks marks(faces);
     while (chunks.next()) {
-      std::vector<Index>& list = part[chunks.index()];
+      Array<Index>& list = part[chunks.index()];
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
         const std::size_t before = list.size();
         marks.clear();
@@ -63,7 +63,7 @@ FaceLists make_lists(std::size_t faces, Job& job, const Append& append) {
       for (std::size_t c = chunks.begin(); c < chunks.end(); ++c) {
         std::copy(part[c].begin(), part[c].end(),
                   lists.face.begin() + static_cast<std::ptrdiff_t>(lists.begin[c * grain]));
-        std::vector<Index>().swap(part[c]);
+        Array<Index>().swap(part[c]);
       }
   });
   return lists;
@@ -82,9 +82,9 @@ double mean_edge_length(const MeshArrays& mesh, Index v, double otherwise) {
   return count > 0 ? sum / static_cast<double>(count) : otherwise;
 }
 
-std::vector<double> mean_over_ring(const MeshArrays& mesh, const std::vector<double>& value, Job& job) {
+Array<double> mean_over_ring(const MeshArrays& mesh, const Array<double>& value, Job& job) {
   const MeshTopology& topology = mesh.topology;
-  std::vector<double> mean(mesh.size());
+  Array<double> mean(mesh.size());
   job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t v = chunks.begin(); v < chunks.end(); ++v) {
@@ -101,13 +101,13 @@ std::vector<double> mean_over_ring(const MeshArrays& mesh, const std::vector<dou
 
 }  // namespace
 
-std::vector<Index> faces_across(const MeshArrays& mesh, Job& job) {
+Array<Index> faces_across(const MeshArrays& mesh, Job& job) {
   struct Side {
     Index end;     ///< the edge's other vertex, of higher index
     Index corner;  ///< opposite to the edge
   };
   const MeshTopology& topology = mesh.topology;
-  std::vector<Index> across(3 * mesh.face.size(), no_face);
+  Array<Index> across(3 * mesh.face.size(), no_face);
   job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
     std::vector<Side> sides;
     while (chunks.next())
@@ -133,9 +133,9 @@ std::vector<Index> faces_across(const MeshArrays& mesh, Job& job) {
   return across;
 }
 
-FaceLists faces_around(const MeshArrays& mesh, const std::vector<Index>& across, Job& job) {
+FaceLists faces_around(const MeshArrays& mesh, const Array<Index>& across, Job& job) {
   const MeshTopology& topology = mesh.topology;
-  return make_lists(mesh.face.size(), job, [&](Index f, Marks& marks, std::vector<Index>& list) {
+  return make_lists(mesh.face.size(), job, [&](Index f, Marks& marks, Array<Index>& list) {
     const auto add = [&](Index g) {
       if (g != no_face && marks.add(g)) list.push_back(g);
     };
@@ -148,15 +148,15 @@ FaceLists faces_around(const MeshArrays& mesh, const std::vector<Index>& across,
   });
 }
 
-std::vector<double> local_spacing(const MeshArrays& mesh, bool follow_edge_length, double least, Job& job) {
+Array<double> local_spacing(const MeshArrays& mesh, bool follow_edge_length, double least, Job& job) {
   constexpr int rings = 3;
   constexpr double centroids_per_edge = 0.6;  // about: 1 / sqrt(3) between equilateral triangles
   constexpr double shortest = 1e-6;           // |e|; a neighbourhood has an extent even where all vertices coincide
   const double e = mesh.topology.average_edge_length;
-  std::vector<double> spacing(mesh.face.size(), centroids_per_edge * e);
+  Array<double> spacing(mesh.face.size(), centroids_per_edge * e);
   if (!follow_edge_length) return spacing;
   const double limit = std::max(std::min(least, centroids_per_edge * e), shortest * e);
-  std::vector<double> length(mesh.size());
+  Array<double> length(mesh.size());
   job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t v = chunks.begin(); v < chunks.end(); ++v)
@@ -170,10 +170,10 @@ std::vector<double> local_spacing(const MeshArrays& mesh, bool follow_edge_lengt
   return spacing;
 }
 
-FaceLists faces_within(const FaceLists& around, const std::vector<Vec3>& centroid, const std::vector<double>& spacing,
+FaceLists faces_within(const FaceLists& around, const Array<Vec3>& centroid, const Array<double>& spacing,
                        double radius, Job& job) {
   constexpr std::size_t fewest = 4;
-  return make_lists(centroid.size(), job, [&](Index f, Marks& marks, std::vector<Index>& list) {
+  return make_lists(centroid.size(), job, [&](Index f, Marks& marks, Array<Index>& list) {
     const std::size_t begin = list.size();
     const double limit = radius * spacing[f] * radius * spacing[f];
     marks.add(f);

@@ -24,8 +24,8 @@ struct Patch {
 /// Measures patches; remembers which faces belong to the current one.
 class PatchMeasure {
  public:
-  PatchMeasure(const FaceLists& around, const std::vector<Index>& across, const std::vector<double>& area,
-               const std::vector<Vec3>& normal)
+  PatchMeasure(const FaceLists& around, const Array<Index>& across, const Array<double>& area,
+               const Array<Vec3>& normal)
       : around_(around), across_(across), area_(area), normal_(normal), member_of_(area.size(), no_face) {}
 
   Patch measure(Index f) {
@@ -70,13 +70,13 @@ class PatchMeasure {
   }
 
   const FaceLists& around_;
-  const std::vector<Index>& across_;
-  const std::vector<double>& area_;
-  const std::vector<Vec3>& normal_;
-  std::vector<Index> member_of_;
+  const Array<Index>& across_;
+  const Array<double>& area_;
+  const Array<Vec3>& normal_;
+  Array<Index> member_of_;
 };
 
-Vec3 bilateral_mean(const FaceLists& around, Index f, const std::vector<double>& area, const std::vector<Vec3>& normal,
+Vec3 bilateral_mean(const FaceLists& around, Index f, const Array<double>& area, const Array<Vec3>& normal,
                     const RangeWeight& weight) {
   Vec3 sum = Vec3::Zero();
   for (const Index* g = around.first(f); g != around.last(f); ++g)
@@ -87,8 +87,8 @@ Vec3 bilateral_mean(const FaceLists& around, Index f, const std::vector<double>&
 
 }  // namespace
 
-std::vector<Vec3> guide_normals(const FaceLists& around, const std::vector<Index>& across, const FaceGeometry& faces,
-                                const std::vector<Vec3>& normal, const GuidedSettings& settings, Job& job) {
+Array<Vec3> guide_normals(const FaceLists& around, const Array<Index>& across, const FaceGeometry& faces,
+                          const Array<Vec3>& normal, const GuidedSettings& settings, Job& job) {
   const std::size_t count = normal.size();
   std::vector<Patch> patch(count);
   job.parallel(count, grain, Loop::minor, [&](Chunks& chunks) {
@@ -97,8 +97,8 @@ std::vector<Vec3> guide_normals(const FaceLists& around, const std::vector<Index
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) patch[f] = measure.measure(static_cast<Index>(f));
   });
 
-  std::vector<Vec3> guide(count);
-  std::vector<double> spread(count);
+  Array<Vec3> guide(count);
+  Array<double> spread(count);
   job.parallel(count, grain, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include <vcg_core/detail/mesh_arrays.h>
 
 #include "face_geometry.h"
@@ -17,7 +15,7 @@ namespace vcg_core::detail {
 /// the patch is trusted only if its normals spread no wider than those of most other best patches. Where all patches
 /// reach over an edge, as on parts one edge length thick, the guide is a bilateral mean over the faces around.
 /// @param normal  filtered so far
-std::vector<Vec3> guide_normals(const FaceLists& around, const std::vector<Index>& across, const FaceGeometry& faces,
-                                const std::vector<Vec3>& normal, const GuidedSettings& settings, Job& job);
+Array<Vec3> guide_normals(const FaceLists& around, const Array<Index>& across, const FaceGeometry& faces,
+                          const Array<Vec3>& normal, const GuidedSettings& settings, Job& job);
 
 }  // namespace vcg_core::detail

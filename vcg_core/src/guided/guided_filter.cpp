@@ -24,7 +24,7 @@ class GuidedRun {
   GuidedRun(const PassInput& input, const GuidedSettings& settings)
       : in_(input), settings_(settings), job_(input.job), position_(input.position) {}
 
-  std::vector<Vec3> run() {
+  Array<Vec3> run() {
     find_neighbourhoods();
     const int rounds = settings_.coarse_rounds > 0 ? settings_.coarse_rounds : rounds_for_noise();
     for (int round = 0; round < rounds; ++round) {
@@ -58,8 +58,8 @@ class GuidedRun {
   }
 
   void coarse_round() {
-    const std::vector<double> weight = closeness_weights(within_, faces_, spacing_, settings_.closeness, job_);
-    const std::vector<Vec3> guide =
+    const Array<double> weight = closeness_weights(within_, faces_, spacing_, settings_.closeness, job_);
+    const Array<Vec3> guide =
         settings_.guide ? guide_normals(around_, across_, faces_, normal_, settings_, job_) : normal_;
     normal_ = filter_normals(within_, weight, guide, normal_, settings_.coarse_range, job_);
     update_positions(in_.mesh, normal_, in_.movable, settings_.coarse_updates, settings_, position_, job_);
@@ -69,7 +69,7 @@ class GuidedRun {
   }
 
   void fine_rounds() {
-    const std::vector<double> weight = closeness_weights(within_, faces_, spacing_, settings_.closeness, job_);
+    const Array<double> weight = closeness_weights(within_, faces_, spacing_, settings_.closeness, job_);
     for (int round = 0; round < settings_.fine_rounds; ++round) {
       normal_ = filter_normals(within_, weight, normal_, normal_, settings_.fine_range, job_);
       job_.report(0.6 + 0.3 * (round + 1) / settings_.fine_rounds);
@@ -79,12 +79,12 @@ class GuidedRun {
   const PassInput& in_;
   const GuidedSettings& settings_;
   Job& job_;
-  std::vector<Vec3> position_;
-  std::vector<Vec3> normal_;
-  std::vector<Index> across_;
+  Array<Vec3> position_;
+  Array<Vec3> normal_;
+  Array<Index> across_;
   FaceLists around_;
   FaceLists within_;
-  std::vector<double> spacing_;
+  Array<double> spacing_;
   FaceGeometry faces_;
   double noise_ = 0;  ///< standard deviation, in units of the positions
 };

@@ -19,7 +19,7 @@ constexpr double noise_of_height = 1.0801;
 
 }  // namespace
 
-double median(std::vector<double> value) {
+double median(Array<double> value) {
   if (value.empty()) return 0;
   const std::size_t stride = (value.size() + most_samples - 1) / most_samples;
   std::size_t count = 0;
@@ -30,10 +30,10 @@ double median(std::vector<double> value) {
   return *middle;
 }
 
-double estimate_noise(const MeshArrays& mesh, const std::vector<Vec3>& position, const FaceGeometry& faces, Job& job) {
+double estimate_noise(const MeshArrays& mesh, const Array<Vec3>& position, const FaceGeometry& faces, Job& job) {
   constexpr double none = -1;
   const MeshTopology& topology = mesh.topology;
-  std::vector<double> height(mesh.size(), none);
+  Array<double> height(mesh.size(), none);
   job.parallel(mesh.size(), 4096, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t v = chunks.begin(); v < chunks.end(); ++v) {
@@ -55,8 +55,8 @@ double estimate_noise(const MeshArrays& mesh, const std::vector<Vec3>& position,
   return median(std::move(height)) / (median_of_normal * noise_of_height);
 }
 
-double median_normal_difference(const std::vector<Vec3>& normal, const std::vector<Index>& across) {
-  std::vector<double> difference;
+double median_normal_difference(const Array<Vec3>& normal, const Array<Index>& across) {
+  Array<double> difference;
   const std::size_t stride = std::max<std::size_t>(1, across.size() / (2 * most_samples));
   for (std::size_t corner = 0; corner < across.size(); corner += stride) {
     const Index g = across[corner];

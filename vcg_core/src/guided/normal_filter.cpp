@@ -15,9 +15,9 @@ constexpr double no_direction = 1e-12;
 
 }  // namespace
 
-std::vector<double> closeness_weights(const FaceLists& within, const FaceGeometry& faces,
-                                      const std::vector<double>& spacing, double closeness, Job& job) {
-  std::vector<double> weight(within.face.size());
+Array<double> closeness_weights(const FaceLists& within, const FaceGeometry& faces, const Array<double>& spacing,
+                                double closeness, Job& job) {
+  Array<double> weight(within.face.size());
   job.parallel(spacing.size(), grain, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
@@ -32,11 +32,10 @@ std::vector<double> closeness_weights(const FaceLists& within, const FaceGeometr
   return weight;
 }
 
-std::vector<Vec3> filter_normals(const FaceLists& within, const std::vector<double>& weight,
-                                 const std::vector<Vec3>& guide, const std::vector<Vec3>& normal, double range_sigma,
-                                 Job& job) {
+Array<Vec3> filter_normals(const FaceLists& within, const Array<double>& weight, const Array<Vec3>& guide,
+                           const Array<Vec3>& normal, double range_sigma, Job& job) {
   const RangeWeight similar(range_sigma);
-  std::vector<Vec3> filtered(normal.size());
+  Array<Vec3> filtered(normal.size());
   job.parallel(normal.size(), grain, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {

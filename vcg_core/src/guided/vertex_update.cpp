@@ -11,9 +11,9 @@ namespace {
 constexpr std::size_t grain = 4096;
 
 /// Marks the vertices of folded faces.
-std::vector<std::uint8_t> find_folds(const MeshArrays& mesh, const std::vector<Vec3>& normal,
-                                     const std::vector<Vec3>& position, double cosine, Job& job) {
-  std::vector<std::uint8_t> face_folded(mesh.face.size());
+Array<std::uint8_t> find_folds(const MeshArrays& mesh, const Array<Vec3>& normal, const Array<Vec3>& position,
+                               double cosine, Job& job) {
+  Array<std::uint8_t> face_folded(mesh.face.size());
   job.parallel(mesh.face.size(), grain, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
@@ -22,15 +22,14 @@ std::vector<std::uint8_t> find_folds(const MeshArrays& mesh, const std::vector<V
         face_folded[f] = cross.dot(normal[f]) < cosine * cross.norm();
       }
   });
-  std::vector<std::uint8_t> folded(mesh.size(), 0);
+  Array<std::uint8_t> folded(mesh.size(), 0);
   for (std::size_t f = 0; f < mesh.face.size(); ++f)
     if (face_folded[f])
       for (const Index v : mesh.face[f]) folded[v] = 1;
   return folded;
 }
 
-Vec3 step_to_planes(const MeshArrays& mesh, const std::vector<Vec3>& normal, const std::vector<Vec3>& position,
-                    Index v) {
+Vec3 step_to_planes(const MeshArrays& mesh, const Array<Vec3>& normal, const Array<Vec3>& position, Index v) {
   const MeshTopology& topology = mesh.topology;
   Vec3 sum = Vec3::Zero();
   for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
@@ -44,8 +43,7 @@ Vec3 step_to_planes(const MeshArrays& mesh, const std::vector<Vec3>& normal, con
 }
 
 /// The way to the middle of the ring, less its part along the normals of the faces.
-Vec3 step_within_surface(const MeshArrays& mesh, const std::vector<Vec3>& normal, const std::vector<Vec3>& position,
-                         Index v) {
+Vec3 step_within_surface(const MeshArrays& mesh, const Array<Vec3>& normal, const Array<Vec3>& position, Index v) {
   const MeshTopology& topology = mesh.topology;
   const double count = topology.star_begin[v + 1] - topology.star_begin[v];
   Vec3 to_middle = Vec3::Zero();
@@ -65,10 +63,10 @@ Vec3 step_within_surface(const MeshArrays& mesh, const std::vector<Vec3>& normal
 
 }  // namespace
 
-void update_positions(const MeshArrays& mesh, const std::vector<Vec3>& normal, const std::vector<std::uint8_t>& movable,
-                      int updates, const GuidedSettings& settings, std::vector<Vec3>& position, Job& job) {
-  std::vector<std::uint8_t> folded(mesh.size(), 0);
-  std::vector<Vec3> moved(position);
+void update_positions(const MeshArrays& mesh, const Array<Vec3>& normal, const Array<std::uint8_t>& movable,
+                      int updates, const GuidedSettings& settings, Array<Vec3>& position, Job& job) {
+  Array<std::uint8_t> folded(mesh.size(), 0);
+  Array<Vec3> moved(position);
   for (int update = 0; update < updates; ++update) {
     if (settings.unfold && update % settings.updates_between_fold_checks == 0)
       folded = find_folds(mesh, normal, position, settings.fold_cosine, job);

@@ -38,13 +38,13 @@ LanePass::LanePass() : LanePass(*supported_lane_kernels().front()) {}
 
 LanePass::LanePass(const LaneKernel& kernel) : kernel_(kernel) {}
 
-std::vector<Vec3> LanePass::run(const PassInput& in) {
+Array<Vec3> LanePass::run(const PassInput& in) {
   if (!kept_) {
     kept_ = Kept{make_rings(in.mesh, in.job), group_sources(in.mesh, kernel_.lanes, in.job), {}};
     kept_->patch_begin = patch_groups(kept_->groups, in.mesh);
   }
   const SourceGroups& groups = kept_->groups;
-  const std::vector<Index>& patch_begin = kept_->patch_begin;
+  const Array<Index>& patch_begin = kept_->patch_begin;
   const LaneMesh lanes{in.mesh, kept_->ring, groups, in.position, in.normal};
   const LaneParameters constants = lane_parameters(in.parameters);
   const double unit = in.mesh.topology.average_edge_length;
@@ -54,7 +54,7 @@ std::vector<Vec3> LanePass::run(const PassInput& in) {
     return std::any_of(groups.member.begin() + groups.begin[g], groups.member.begin() + groups.begin[g + 1],
                        [&](Index v) { return in.movable[v] != 0; });
   };
-  std::vector<Vec3> moved = in.position;
+  Array<Vec3> moved = in.position;
   const auto smooth_group = [&](const Patch& patch, const PatchGroup& group, Index g, Chunks& chunks) {
     float offset[most_lanes];
     kernel_.march(patch, group, constants, poll, &chunks);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "../filter.h"
 #include "patch.h"
@@ -18,13 +17,13 @@ class LanePass {
   LanePass();
   explicit LanePass(const LaneKernel& kernel);
 
-  std::vector<Vec3> run(const PassInput& in);
+  Array<Vec3> run(const PassInput& in);
 
  private:
   struct Kept {
-    std::vector<RingFace> ring;
+    Array<RingFace> ring;
     SourceGroups groups;
-    std::vector<Index> patch_begin;  ///< groups by patch
+    Array<Index> patch_begin;  ///< groups by patch
   };
 
   const LaneKernel& kernel_;

@@ -32,7 +32,7 @@ const Patch& PatchBuilder::build(std::size_t first, std::size_t last, double rea
 }
 
 const PatchGroup& PatchBuilder::group(std::size_t g) {
-  const std::vector<Index>& begin = lanes_.groups.begin;
+  const Array<Index>& begin = lanes_.groups.begin;
   // The sources are the first rows, group by group.
   const std::uint32_t* const source_row = source_row_.data() + (begin[g] - begin[first_group_]);
   return order_.of(patch_, source_row, begin[g + 1] - begin[g], ball_[g - first_group_], reach_);
@@ -48,7 +48,7 @@ void PatchBuilder::forget_last() {
 void PatchBuilder::place_sources() {
   const Index begin = lanes_.groups.begin[first_group_];
   const Index end = lanes_.groups.begin[last_group_];
-  const std::vector<Index>& member = lanes_.groups.member;
+  const Array<Index>& member = lanes_.groups.member;
   middle_ = Vec3::Zero();
   for (Index s = begin; s < end; ++s) middle_ += lanes_.position[member[s]] / (end - begin);
   source_row_.clear();

@@ -15,10 +15,10 @@ namespace vcg_core::detail {
 /// What the patches of one pass are cut out of.
 struct LaneMesh {
   const MeshArrays& mesh;
-  const std::vector<RingFace>& ring;
+  const Array<RingFace>& ring;
   const SourceGroups& groups;
-  const std::vector<Vec3>& position;  ///< in units of MeshArrays::position
-  const std::vector<Vec3>& normal;
+  const Array<Vec3>& position;  ///< in units of MeshArrays::position
+  const Array<Vec3>& normal;
 };
 
 /// Cuts out of the mesh what a few groups of sources need. One a thread; its memory is reused from patch to patch.

@@ -9,9 +9,9 @@ namespace vcg_core::detail {
 namespace {
 
 /// Place of each corner in the star of its vertex, at most last_slot.
-std::vector<std::uint8_t> slots_of_corners(const MeshArrays& mesh, Job& job) {
+Array<std::uint8_t> slots_of_corners(const MeshArrays& mesh, Job& job) {
   const MeshTopology& topology = mesh.topology;
-  std::vector<std::uint8_t> slot(3 * mesh.face.size());
+  Array<std::uint8_t> slot(3 * mesh.face.size());
   job.parallel(mesh.size(), 16384, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t v = chunks.begin(); v < chunks.end(); ++v)
@@ -23,9 +23,9 @@ std::vector<std::uint8_t> slots_of_corners(const MeshArrays& mesh, Job& job) {
 
 }  // namespace
 
-std::vector<RingFace> make_rings(const MeshArrays& mesh, Job& job) {
-  const std::vector<std::uint8_t> slot = slots_of_corners(mesh, job);
-  std::vector<RingFace> ring(mesh.topology.star.size());
+Array<RingFace> make_rings(const MeshArrays& mesh, Job& job) {
+  const Array<std::uint8_t> slot = slots_of_corners(mesh, job);
+  Array<RingFace> ring(mesh.topology.star.size());
   job.parallel(ring.size(), 65536, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t s = chunks.begin(); s < chunks.end(); ++s) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include <vcg_core/detail/mesh_arrays.h>
 
@@ -19,6 +18,6 @@ struct RingFace {
 
 /// The faces of all vertices in the order of MeshTopology::star, with what the march asks of them spelled out. Depends
 /// on the connectivity only.
-std::vector<RingFace> make_rings(const MeshArrays& mesh, Job& job);
+Array<RingFace> make_rings(const MeshArrays& mesh, Job& job);
 
 }  // namespace vcg_core::detail

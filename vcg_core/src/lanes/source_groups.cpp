@@ -86,7 +86,7 @@ class Grouper {
   std::vector<State> state_;
   SourceGroups groups_;
   Vec3 sum_ = Vec3::Zero();
-  std::vector<Index> rim_;
+  Array<Index> rim_;
 };
 
 }  // namespace
@@ -109,12 +109,12 @@ SourceGroups group_sources(const MeshArrays& mesh, std::uint32_t lanes, Job& job
   return all;
 }
 
-std::vector<Index> patch_groups(const SourceGroups& groups, const MeshArrays& mesh) {
+Array<Index> patch_groups(const SourceGroups& groups, const MeshArrays& mesh) {
   constexpr Index most_groups = 8;
   constexpr double far_in_edges = 16;
   const double far = far_in_edges * mesh.topology.average_edge_length;
   const auto place = [&](Index g) { return mesh.position[groups.member[groups.begin[g]]]; };
-  std::vector<Index> begin;
+  Array<Index> begin;
   for (Index g = 0; g < groups.size(); ++g)
     if (begin.empty() || g - begin.back() == most_groups || (place(g) - place(begin.back())).norm() > far)
       begin.push_back(g);

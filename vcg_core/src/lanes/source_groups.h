@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include <vcg_core/detail/mesh_arrays.h>
 
@@ -9,8 +8,8 @@ namespace vcg_core::detail {
 
 /// Vertices in groups of up to `lanes` that lie close together: group g is member[begin[g]] to member[begin[g + 1]].
 struct SourceGroups {
-  std::vector<Index> member;
-  std::vector<Index> begin;
+  Array<Index> member;
+  Array<Index> begin;
 
   std::size_t size() const { return begin.size() - 1; }
 };
@@ -20,6 +19,6 @@ SourceGroups group_sources(const MeshArrays& mesh, std::uint32_t lanes, Job& job
 
 /// Runs of groups that lie close together and so need nearly the same vertices, one patch for each: run p is the groups
 /// begin[p] to begin[p + 1]. Close, as a patch's places are single precision relative to its middle.
-std::vector<Index> patch_groups(const SourceGroups& groups, const MeshArrays& mesh);
+Array<Index> patch_groups(const SourceGroups& groups, const MeshArrays& mesh);
 
 }  // namespace vcg_core::detail

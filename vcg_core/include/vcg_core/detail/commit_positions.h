@@ -12,8 +12,7 @@ namespace vcg_core::detail {
 /// Writes the new positions into the caller's mesh and counts what moved. Nothing here can fail: the step is all or
 /// nothing. A coordinate that the mesh's own type could not hold stays as it was.
 template <class Mesh>
-void commit_positions(const MeshArrays& arrays, const std::vector<Vec3>& position, Mesh& mesh,
-                      SmoothingReport& report) {
+void commit_positions(const MeshArrays& arrays, const Array<Vec3>& position, Mesh& mesh, SmoothingReport& report) {
   using Scalar = typename Mesh::ScalarType;
   const PowerOfTwo to_host(-arrays.exponent);
   double sum_of_squares = 0;  // in units of `position`: no square over- or underflows there

@@ -3,9 +3,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include <Eigen/Core>
+
+#include <vcg_core/detail/array.h>
 
 namespace vcg_core::detail {
 
@@ -16,11 +17,11 @@ using Index = std::uint32_t;
 
 /// A mesh as it was read: vertices that are not deleted, faces as indices into them.
 struct RawMesh {
-  std::vector<Vec3> position;
-  std::vector<std::array<Index, 3>> face;
-  std::vector<Index> host_vertex;      ///< index of each vertex in the caller's mesh.vert
-  std::vector<std::uint8_t> selected;  ///< whether the vertex, or a face of it, is selected
-  std::size_t host_vertex_count = 0;   ///< size of the caller's mesh.vert, deleted ones included
+  Array<Vec3> position;
+  Array<std::array<Index, 3>> face;
+  Array<Index> host_vertex;           ///< index of each vertex in the caller's mesh.vert
+  Array<std::uint8_t> selected;       ///< whether the vertex, or a face of it, is selected
+  std::size_t host_vertex_count = 0;  ///< size of the caller's mesh.vert, deleted ones included
   /// The positions are the caller's times 2^exponent, with the largest coordinate in [1, 2). A power of two, so that
   /// nothing is lost, wherever the mesh lies; and no square over- or underflows, whatever its scale.
   int exponent = 0;
@@ -28,9 +29,9 @@ struct RawMesh {
 
 /// Faces around each vertex, and what they tell of the vertex. A corner is 3 * face + (0, 1 or 2).
 struct MeshTopology {
-  std::vector<Index> star_begin;  ///< n + 1 offsets into star
-  std::vector<Index> star;        ///< the corners at each vertex, ascending; faces with a repeated vertex left out
-  std::vector<std::uint8_t> border;
+  Array<Index> star_begin;  ///< n + 1 offsets into star
+  Array<Index> star;        ///< the corners at each vertex, ascending; faces with a repeated vertex left out
+  Array<std::uint8_t> border;
 
   double average_edge_length = 0;  ///< |e| over unique edges, in units of RawMesh::position
   std::size_t border_vertices = 0;
@@ -55,6 +56,6 @@ inline Index vertex_of(const MeshArrays& mesh, Index corner) { return mesh.face[
 MeshArrays make_mesh_arrays(RawMesh raw, Job& job);
 
 /// Index in `mesh` of each vertex of the caller's mesh.vert; `mesh.size()` for deleted ones.
-std::vector<Index> vertex_of_host(const MeshArrays& mesh);
+Array<Index> vertex_of_host(const MeshArrays& mesh);
 
 }  // namespace vcg_core::detail

@@ -30,10 +30,10 @@ class PowerOfTwo {
 /// Copies the vertices that are not deleted, and checks them.
 /// @return index into raw.position of each element of mesh.vert
 template <class Mesh>
-std::vector<Index> read_vertices(const Mesh& mesh, RawMesh& raw, Job& job) {
+Array<Index> read_vertices(const Mesh& mesh, RawMesh& raw, Job& job) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   if (mesh.vert.size() >= std::numeric_limits<Index>::max() / 3) throw InvalidMesh("the mesh has too many vertices");
-  std::vector<Index> index_of(mesh.vert.size());
+  Array<Index> index_of(mesh.vert.size());
   raw.host_vertex_count = mesh.vert.size();
   raw.position.reserve(mesh.vn);
   raw.host_vertex.reserve(mesh.vn);
@@ -70,7 +70,7 @@ std::vector<Index> read_vertices(const Mesh& mesh, RawMesh& raw, Job& job) {
 
 /// Copies the faces that are not deleted, and checks them.
 template <class Mesh>
-void read_faces(const Mesh& mesh, const std::vector<Index>& index_of, RawMesh& raw, Job& job) {
+void read_faces(const Mesh& mesh, const Array<Index>& index_of, RawMesh& raw, Job& job) {
   raw.face.reserve(mesh.fn);
   for (std::size_t f = 0; f < mesh.face.size(); ++f) {
     if (f % 65536 == 0) job.report(0.0);
@@ -98,7 +98,7 @@ MeshArrays read_mesh(const Mesh& mesh, Job& job) {
   job.begin_stage("Reading the mesh", 0.05);
   if (mesh.fn <= 0) throw InvalidMesh("the mesh has no faces; this filter needs a triangle mesh");
   RawMesh raw;
-  const std::vector<Index> index_of = read_vertices(mesh, raw, job);
+  const Array<Index> index_of = read_vertices(mesh, raw, job);
   read_faces(mesh, index_of, raw, job);
   return make_mesh_arrays(std::move(raw), job);
 }

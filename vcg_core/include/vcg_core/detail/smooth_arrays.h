@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include <vcg_core/detail/mesh_arrays.h>
 #include <vcg_core/detail/vertex_attributes.h>
 #include <vcg_core/method.h>
@@ -13,8 +11,8 @@ namespace vcg_core::detail {
 class Job;
 
 struct SmoothingResult {
-  std::vector<Vec3> position;  ///< one per vertex, in units of RawMesh::position; equal to it where nothing moves
-  SmoothingReport report;      ///< complete but for what the commit counts
+  Array<Vec3> position;    ///< one per vertex, in units of RawMesh::position; equal to it where nothing moves
+  SmoothingReport report;  ///< complete but for what the commit counts
 };
 
 /// Whether the filter is to smooth vertex attributes as well.

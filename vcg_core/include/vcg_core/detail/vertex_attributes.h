@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include <vcg/complex/complex.h>
 
@@ -16,7 +15,7 @@ namespace vcg_core::detail {
 struct VertexAttributes {
   bool has_color = false;
   bool has_quality = false;
-  std::vector<double> value;
+  Array<double> value;
 
   std::size_t channels() const { return (has_color ? 4u : 0u) + (has_quality ? 1u : 0u); }
 };

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <new>
+#include <vector>
+
+namespace vcg_core::detail {
+
+/// Memory for an array. That of a large one is asked of the system in large pages, where it has them: to touch it for
+/// the first time then takes a fraction of the time, and so does looking about in it. Throws std::bad_alloc.
+void* allocate_array(std::size_t bytes);
+void free_array(void* block, std::size_t bytes) noexcept;
+
+template <class T>
+struct ArrayAllocator {
+  using value_type = T;
+
+  ArrayAllocator() = default;
+  template <class U>
+  ArrayAllocator(const ArrayAllocator<U>& /*other*/) noexcept {}
+
+  T* allocate(std::size_t n) {
+    if (n > std::numeric_limits<std::size_t>::max() / sizeof(T)) throw std::bad_alloc();
+    return static_cast<T*>(allocate_array(n * sizeof(T)));
+  }
+  void deallocate(T* block, std::size_t n) noexcept { free_array(block, n * sizeof(T)); }
+
+  friend bool operator==(const ArrayAllocator& /*a*/, const ArrayAllocator& /*b*/) { return true; }
+  friend bool operator!=(const ArrayAllocator& /*a*/, const ArrayAllocator& /*b*/) { return false; }
+};
+
+/// What a mesh has one of for each vertex, face or corner.
+template <class T>
+using Array = std::vector<T, ArrayAllocator<T>>;
+
+}  // namespace vcg_core::detail
