@@ -13,6 +13,7 @@ function(aniso_target_defaults target)
   set_target_properties(${target} PROPERTIES
     CXX_EXTENSIONS OFF CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow
+    $<$<CXX_COMPILER_ID:Clang>:-Wno-gnu-zero-variadic-macro-arguments>  # GoogleTest's macros in standard C++17
     $<$<BOOL:${ANISO_WARNINGS_AS_ERRORS}>:-Werror>)
   if(ANISO_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${ANISO_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
