@@ -71,6 +71,7 @@ void apply(const FoundFilter& filter, const Step& step, MeshDocument& document) 
 void run_script(const std::vector<Step>& steps, MeshDocument& document,
                 const std::function<void(const QString& filter)>& started) {
   std::vector<FoundFilter> filters;
+  filters.reserve(steps.size());
   for (const Step& step : steps) filters.push_back(find_filter(step.filter));
   for (std::size_t i = 0; i < steps.size(); ++i) {
     started(steps[i].filter);
