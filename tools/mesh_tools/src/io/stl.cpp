@@ -158,7 +158,7 @@ bool write_stl(const MeshFile& file, const std::filesystem::path& path) {
   const int mask = file.attributes & face_color;
   if (vcg::tri::io::ExporterSTL<Mesh>::Save(mesh, path.c_str(), true, mask) != 0) return false;
   std::error_code error;
-  return std::filesystem::file_size(path, error) == header_size + facet_size * mesh.face.size();
+  return std::filesystem::file_size(path, error) == header_size + facet_size * static_cast<std::size_t>(mesh.fn);
 }
 
 }  // namespace mesh_tools::io
