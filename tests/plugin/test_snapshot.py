@@ -9,9 +9,9 @@ import ast
 import json
 import os
 import pathlib
-import subprocess
 import unittest
 
+from description import describe
 from environment import PLUGIN, SOURCE
 
 SNAPSHOT = pathlib.Path(__file__).with_name("filters.json")
@@ -31,9 +31,7 @@ class Snapshot(unittest.TestCase):
     maxDiff = None
 
     def test_filters_are_as_released(self):
-        printed = subprocess.run([os.environ["ANISO_DESCRIBE"], PLUGIN], check=True, stdout=subprocess.PIPE, text=True,
-                                 timeout=100).stdout
-        found = json.loads(printed[printed.index("[\n"):])
+        found = describe(os.environ["ANISO_DESCRIBE"], PLUGIN)
         released = json.loads(SNAPSHOT.read_text())
         if not any("python_name" in description for description in found):
             released = without(SINCE_2021, released)
