@@ -13,8 +13,8 @@
 
 namespace {
 
-using vcg_core::detail::count_coincident;
 using vcg_core::detail::Array;
+using vcg_core::detail::count_coincident;
 using vcg_core::detail::Index;
 using vcg_core::detail::morton_order;
 using vcg_core::detail::Vec3;
