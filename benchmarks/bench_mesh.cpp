@@ -6,6 +6,7 @@
 #include <random>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include <mesh_tools/noise.h>
 #include <mesh_tools/shapes.h>

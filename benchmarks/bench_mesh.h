@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include <mesh_tools/mesh.h>
 #include <vcg_core/detail/job.h>

@@ -8,7 +8,6 @@
 #include <map>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include <mesh_tools/mesh_io.h>
 #include <vcg_core/detail/commit_positions.h>

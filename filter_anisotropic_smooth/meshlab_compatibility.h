@@ -55,7 +55,7 @@ auto update_box_and_normals(Model& model, long) -> decltype(model.UpdateBoxAndNo
   model.UpdateBoxAndNormals();
 }
 
-/// Turns the version-dependent virtual functions into four that are the same everywhere.
+/// Turns the version-dependent virtual functions into a few that are the same everywhere.
 class HostAdapter : public QObject, public HostInterface {
  public:
   QString pluginName() const override { return QStringLiteral("FilterAnisotropicSmooth"); }

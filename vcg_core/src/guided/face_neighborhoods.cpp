@@ -1,6 +1,7 @@
 #include "face_neighborhoods.h"
 
 #include <algorithm>
+#include <vector>
 
 #include <vcg_core/detail/job.h>
 

@@ -49,7 +49,8 @@ struct Mesh : vcg::tri::TriMesh<std::vector<detail::VertexD>, std::vector<detail
 /// What the filters look at and change, in single precision, as most files and MeshLab's usual build store it.
 struct MeshF : vcg::tri::TriMesh<std::vector<detail::VertexF>, std::vector<detail::FaceF>> {};
 
-/// Replaces `to` by `from`, element by element, deleted ones as well: numbers rounded once.
+/// Replaces `to` by the vertices and faces of `from`, deleted ones as well, with what MeshF has room for; numbers are
+/// rounded once.
 void to_single_precision(const Mesh& from, MeshF& to);
 
 /// Takes positions, colours and qualities back from the copy that to_single_precision() made of `to`.

@@ -15,6 +15,7 @@ void free_array(void* block, std::size_t bytes) noexcept;
 template <class T>
 struct ArrayAllocator {
   using value_type = T;
+  static_assert(alignof(T) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__, "blocks are not aligned for more");
 
   ArrayAllocator() = default;
   template <class U>
@@ -30,7 +31,8 @@ struct ArrayAllocator {
   friend bool operator!=(const ArrayAllocator& /*a*/, const ArrayAllocator& /*b*/) { return false; }
 };
 
-/// What a mesh has one of for each vertex, face or corner.
+/// What may grow with the mesh: mostly one element for each vertex, face or corner. Work memory of a thread, which is
+/// used again and again, is as well off in a std::vector.
 template <class T>
 using Array = std::vector<T, ArrayAllocator<T>>;
 
