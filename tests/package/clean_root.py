@@ -11,11 +11,11 @@ mount -t tmpfs tmpfs "$overlay"
 mkdir "$overlay/upper" "$overlay/work" "$overlay/root"
 root=$overlay/root
 mount -t overlay overlay -o "lowerdir=/,upperdir=$overlay/upper,workdir=$overlay/work" "$root"
-mkdir -p "$root$source"
-mount --bind "$source" "$root$source"
 mount --rbind /dev "$root/dev"
 mount -t proc proc "$root/proc"
 mount -t tmpfs -o mode=1777 tmpfs "$root/tmp"
+mkdir -p "$root$source"  # after /tmp, where it may lie
+mount --bind "$source" "$root$source"
 chroot "$root" bash -euc "$commands"
 """
 
