@@ -76,7 +76,7 @@ std::size_t count_pairs(const Arrays& arrays, double rho) {
   const Array<RingFace> ring = make_rings(arrays.mesh, job);
   const SourceGroups groups = group_sources(arrays.mesh, kernel.lanes, job);
   const LaneMesh lanes{arrays.mesh, ring, groups, arrays.mesh.position, arrays.normal};
-  PatchBuilder builder(lanes, kernel.lanes);
+  PatchBuilder builder(lanes, kernel);
   LaneParameters parameters{};
   parameters.cutoff = static_cast<float>(rho);
   parameters.limit = static_cast<float>(rho + 0.5);
@@ -88,9 +88,9 @@ std::size_t count_pairs(const Arrays& arrays, double rho) {
     const PatchGroup& group = builder.group(g);
     kernel.shape(patch, no_poll, nullptr);
     kernel.march(patch, group, parameters, no_poll, nullptr);
-    for (std::uint32_t row = 0; row < patch.rows; ++row)
+    for (std::uint32_t rank = 0; rank < group.rows; ++rank)
       for (std::uint32_t lane = 0; lane < group.sources; ++lane)
-        pairs += patch.distance[row * kernel.lanes + lane] < parameters.cutoff;
+        pairs += patch.distance[group.row_at[rank] * kernel.lanes + lane] < parameters.cutoff;
   }
   return pairs;
 }

@@ -94,7 +94,7 @@ double largest_distance_error(const FlatMesh& shape, const LaneKernel& kernel, d
   const auto ring = make_rings(arrays, mesh.job());
   const SourceGroups groups = group_sources(arrays, kernel.lanes, mesh.job());
   const LaneMesh lanes{arrays, ring, groups, arrays.position, mesh.normal()};
-  PatchBuilder builder(lanes, kernel.lanes);
+  PatchBuilder builder(lanes, kernel);
   const auto frames = triangle_frames(arrays, arrays.position, mesh.unit(), mesh.job());
   GeodesicMarch<double> march(arrays, frames, 1e-9);
   LaneParameters parameters{};
@@ -142,13 +142,64 @@ TEST_P(LaneKernels, MarchOverAFaceWithoutArea) {
   EXPECT_LE(largest_distance_error(hanging, *GetParam(), 4), 1e-5);
 }
 
+// More faces at a vertex than the march has bits for: a crown of 100 around one, with heights that go up and down.
+TEST_P(LaneKernels, MarchAroundAVertexOfManyFaces) {
+  constexpr std::uint32_t count = 100;
+  FlatMesh crown{{{0, 0, 0}}, {}};
+  for (const double radius : {1.0, 1.5, 2.0})
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const double phi = 2 * 3.14159265358979 * k / count;
+      crown.points.emplace_back(radius * std::cos(phi), radius * std::sin(phi), 0.2 * std::sin(7 * phi + radius));
+    }
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::uint32_t a = 1 + k;
+    const std::uint32_t b = 1 + (k + 1) % count;
+    crown.faces.push_back({0, a, b});
+    for (const std::uint32_t ring : {0u, count}) {
+      crown.faces.push_back({a + ring, a + ring + count, b + ring});
+      crown.faces.push_back({b + ring, a + ring + count, b + ring + count});
+    }
+  }
+  EXPECT_LE(largest_distance_error(crown, *GetParam(), 6), 2e-5);
+  EXPECT_LE(largest_distance_error(crown, *GetParam(), 12), 2e-5);
+}
+
+// Not one row of the patch more, as each costs time, and none less, as the filter would be another.
+TEST_P(LaneKernels, LookAtTheRowsWithinReachOfASource) {
+  constexpr double reach = 2.5;
+  Prepared mesh(noisy_shape("stepped_block", 1500));
+  const MeshArrays& arrays = mesh.arrays();
+  const auto ring = make_rings(arrays, mesh.job());
+  const SourceGroups groups = group_sources(arrays, GetParam()->lanes, mesh.job());
+  const LaneMesh lanes{arrays, ring, groups, arrays.position, mesh.normal()};
+  PatchBuilder builder(lanes, *GetParam());
+  const Array<Index> patch_begin = patch_groups(groups, arrays);
+  for (std::size_t p = 0; p + 1 < patch_begin.size(); ++p) {
+    const Patch& patch = builder.build(patch_begin[p], patch_begin[p + 1], reach);
+    std::vector<bool> in_patch(arrays.size(), false);
+    for (std::uint32_t row = 0; row < patch.rows; ++row) in_patch[builder.vertex(row)] = true;
+    for (Index g = patch_begin[p]; g < patch_begin[p + 1]; ++g) {
+      const PatchGroup& group = builder.group(g);
+      std::vector<bool> near(arrays.size(), false);
+      for (std::uint32_t rank = 0; rank < group.rows; ++rank) near[builder.vertex(group.row_at[rank])] = true;
+      for (Index v = 0; v < arrays.size(); ++v) {
+        double nearest = 1e9;
+        for (Index s = groups.begin[g]; s < groups.begin[g + 1]; ++s)
+          nearest = std::min(nearest, (arrays.position[v] - arrays.position[groups.member[s]]).norm() / mesh.unit());
+        if (std::abs(nearest - reach) < 1e-5) continue;  // by rounding
+        EXPECT_EQ(near[v], in_patch[v] && nearest < reach) << v;
+      }
+    }
+  }
+}
+
 // Cancelling in time, without a clock: a patch of 20,000 rows is polled from at every 4,096 of them or more often.
 TEST_P(LaneKernels, PollInsideALargePatch) {
   Prepared mesh(grid(142));
   const auto ring = make_rings(mesh.arrays(), mesh.job());
   const SourceGroups groups = group_sources(mesh.arrays(), GetParam()->lanes, mesh.job());
   const LaneMesh lanes{mesh.arrays(), ring, groups, mesh.arrays().position, mesh.normal()};
-  PatchBuilder builder(lanes, GetParam()->lanes);
+  PatchBuilder builder(lanes, *GetParam());
   const Patch& patch = builder.build(0, 1, 1e6);
   ASSERT_EQ(patch.rows, 142u * 142u);
   LaneParameters parameters{};

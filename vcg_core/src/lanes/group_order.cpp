@@ -18,7 +18,7 @@ const PatchGroup& GroupOrder::of(const Patch& patch, const std::uint32_t* source
   return group_;
 }
 
-/// Those inside the ball around the group; a few that are near no source are among them.
+/// Those inside the ball around the group, as far as they are near one of its sources.
 void GroupOrder::select_near_rows(const Patch& patch, const GroupBall& ball, float reach) {
   const float squared_reach = (ball.radius + reach) * (ball.radius + reach);
   near_.resize(patch.rows);
@@ -36,6 +36,8 @@ void GroupOrder::select_near_rows(const Patch& patch, const GroupBall& ball, flo
     squared_radius_of_near_[count] = squared;
     count += squared <= squared_reach ? 1 : 0;
   }
+  count = within_reach_(patch, group_, reach, static_cast<std::uint32_t>(count), near_.data(),
+                        squared_radius_of_near_.data());
   near_.resize(count);
   squared_radius_of_near_.resize(count);
 }

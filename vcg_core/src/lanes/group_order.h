@@ -15,6 +15,8 @@ struct GroupBall {
 /// Orders the rows of a patch for one group of its sources after the other. One a thread; its memory is reused.
 class GroupOrder {
  public:
+  explicit GroupOrder(LaneNear within_reach) : within_reach_(within_reach) {}
+
   /// @param source_row  the patch's rows of the group's sources; kept by reference
   /// @param reach       distance from a source, in |e|, up to which rows are wanted
   const PatchGroup& of(const Patch& patch, const std::uint32_t* source_row, std::uint32_t sources,
@@ -24,6 +26,7 @@ class GroupOrder {
   void select_near_rows(const Patch& patch, const GroupBall& ball, float reach);
   void sort_by_radius(std::uint32_t patch_rows);
 
+  LaneNear within_reach_;
   PatchGroup group_{};
   std::vector<std::uint32_t> near_;
   std::vector<float> squared_radius_of_near_;

@@ -66,7 +66,7 @@ Array<Vec3> LanePass::run(const PassInput& in) {
     }
   };
   in.job.parallel(patch_begin.size() - 1, 2, [&](Chunks& chunks) {
-    PatchBuilder builder(lanes, kernel_.lanes);
+    PatchBuilder builder(lanes, kernel_);
     while (chunks.next())
       for (std::size_t p = chunks.begin(); p < chunks.end(); ++p) {
         const Patch* patch = nullptr;

@@ -11,6 +11,6 @@ bool supported() { return __builtin_cpu_supports("avx2") && __builtin_cpu_suppor
 }  // namespace
 
 extern const LaneKernel avx2_kernel;
-const LaneKernel avx2_kernel = {"avx2", Simd::lanes, supported, lane_shape, lane_march, lane_offsets};
+const LaneKernel avx2_kernel = {"avx2", Simd::lanes, supported, lane_near, lane_shape, lane_march, lane_offsets};
 
 }  // namespace vcg_core::detail

@@ -14,6 +14,6 @@ bool supported() {
 }  // namespace
 
 extern const LaneKernel avx512_kernel;
-const LaneKernel avx512_kernel = {"avx512", Simd::lanes, supported, lane_shape, lane_march, lane_offsets};
+const LaneKernel avx512_kernel = {"avx512", Simd::lanes, supported, lane_near, lane_shape, lane_march, lane_offsets};
 
 }  // namespace vcg_core::detail

@@ -11,6 +11,7 @@ bool supported() { return true; }
 }  // namespace
 
 extern const LaneKernel portable_kernel;
-const LaneKernel portable_kernel = {"portable", Simd::lanes, supported, lane_shape, lane_march, lane_offsets};
+const LaneKernel portable_kernel = {"portable", Simd::lanes, supported,   lane_near,
+                                    lane_shape, lane_march,  lane_offsets};
 
 }  // namespace vcg_core::detail

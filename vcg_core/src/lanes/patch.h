@@ -24,7 +24,7 @@ struct FaceShape {
   float y;
   float side_1;  ///< |v_i v_{i+1}|
   float side_2;  ///< |v_i v_{i+2}|
-  float unused;  ///< makes it half a cache line
+  float edge;    ///< |v_{i+1} v_{i+2}|; makes it half a cache line
 };
 
 /// What a few groups of neighbouring sources need to know of the mesh: the vertices around them ("rows") and their
@@ -45,12 +45,12 @@ struct Patch {
   FaceShape* shape;  ///< by face: what the kernel's `shape` leaves
 
   // Work memory of the kernel.
-  float* distance;         ///< rows x lanes, aligned to 64 bytes: what the march leaves, in |e|
+  float* distance;         ///< rows x lanes, aligned to 64 bytes: what the march leaves in the group's rows, in |e|
   std::uint32_t* pending;  ///< by row: bits of the faces to be looked at again, as a vertex of theirs improved
 };
 
-/// A group of sources on a patch, one a lane, and the rows near them: by rising distance from the group's middle, which
-/// is their rank.
+/// A group of sources on a patch, one a lane, and the rows within reach of one of them: by rising distance from the
+/// group's middle, which is their rank.
 struct PatchGroup {
   std::uint32_t sources;            ///< lanes in use
   const std::uint32_t* source_row;  ///< by lane
@@ -80,6 +80,11 @@ struct LaneParameters {
 /// Called now and then during long work; may throw.
 using LanePoll = void (*)(void* context);
 
+/// Keeps those of `count` rows, and of the values in `squared_radius` that belong to them, that lie within `reach`, in
+/// |e|, of a source of the group. Returns how many.
+using LaneNear = std::uint32_t (*)(const Patch& patch, const PatchGroup& group, float reach, std::uint32_t count,
+                                   std::uint32_t* rows, float* squared_radius);
+
 /// Computes the shapes of all faces of a patch.
 using LaneShape = void (*)(const Patch& patch, LanePoll poll, void* context);
 
@@ -96,6 +101,7 @@ struct LaneKernel {
   const char* name;
   std::uint32_t lanes;
   bool (*supported)();
+  LaneNear near;
   LaneShape shape;
   LaneMarch march;
   LaneOffsets offsets;

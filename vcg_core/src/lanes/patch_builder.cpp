@@ -12,10 +12,11 @@ constexpr std::size_t rows_between_polls = 16384;
 
 }  // namespace
 
-PatchBuilder::PatchBuilder(const LaneMesh& lanes, std::uint32_t lane_count)
+PatchBuilder::PatchBuilder(const LaneMesh& lanes, const LaneKernel& kernel)
     : lanes_(lanes),
-      lane_count_(lane_count),
+      lane_count_(kernel.lanes),
       per_unit_(1 / lanes.mesh.topology.average_edge_length),
+      order_(kernel.near),
       row_of_(lanes.mesh.size(), unknown) {}
 
 const Patch& PatchBuilder::build(std::size_t first, std::size_t last, double reach, const std::function<void()>& poll) {
@@ -26,7 +27,6 @@ const Patch& PatchBuilder::build(std::size_t first, std::size_t last, double rea
   place_sources();
   collect_rows(poll);
   place_rows();
-  place_faces(poll);
   reserve_kernel_memory();
   return patch_;
 }
@@ -58,6 +58,7 @@ void PatchBuilder::place_sources() {
     rows_.push_back(row_at(member[s]));
   }
   ball_.clear();
+  last_near_ = 0;
   for (std::size_t g = first_group_; g < last_group_; ++g)
     ball_.push_back(ball_around(rows_.data() + (lanes_.groups.begin[g] - begin),
                                 lanes_.groups.begin[g + 1] - lanes_.groups.begin[g]));
@@ -76,18 +77,41 @@ GroupBall PatchBuilder::ball_around(const Row* source, std::size_t count) const 
   return ball;
 }
 
-/// The vertices that are connected to the sources inside the balls around their groups.
+/// The vertices that are connected to the sources inside the balls around their groups, and their faces.
 void PatchBuilder::collect_rows(const std::function<void()>& poll) {
   const MeshTopology& topology = lanes_.mesh.topology;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (poll && (i + 1) % rows_between_polls == 0) poll();
-    const Index v = rows_[i].vertex;
-    for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
+  face_begin_.clear();
+  std::uint32_t faces = 0;
+  for (std::uint32_t row = 0; row < rows_.size(); ++row) {
+    if (poll && (row + 1) % rows_between_polls == 0) poll();
+    face_begin_.push_back(faces);
+    const Index begin = topology.star_begin[rows_[row].vertex];
+    const Index end = topology.star_begin[rows_[row].vertex + 1];
+    reserve_faces(faces + (end - begin));
+    for (Index s = begin; s < end; ++s) {
       const RingFace& face = lanes_.ring[s];
       if (row_of_[face.next] == unknown) consider(face.next);
       if (row_of_[face.previous] == unknown) consider(face.previous);
+      place_face(faces++, row, face);
     }
   }
+  face_begin_.push_back(faces);
+  // The kernel shapes faces by whole vectors: those behind the last one are of the first row and not used.
+  for (std::uint32_t f = faces; f < faces + lane_count_; ++f) apex_[f] = row_1_[f] = row_2_[f] = 0;
+  patch_.face_begin = face_begin_.data();
+  patch_.apex = apex_.data();
+  patch_.row_1 = row_1_.data();
+  patch_.row_2 = row_2_.data();
+  patch_.marks = marks_.data();
+}
+
+void PatchBuilder::reserve_faces(std::size_t faces) {
+  if (faces + lane_count_ <= apex_.size()) return;
+  const std::size_t room = 2 * faces + lane_count_;
+  apex_.resize(room);
+  row_1_.resize(room);
+  row_2_.resize(room);
+  marks_.resize(room);
 }
 
 PatchBuilder::Row PatchBuilder::row_at(Index vertex) const {
@@ -97,13 +121,17 @@ PatchBuilder::Row PatchBuilder::row_at(Index vertex) const {
 
 void PatchBuilder::consider(Index vertex) {
   const Row row = row_at(vertex);
-  bool near = false;
-  for (const GroupBall& ball : ball_) {
+  const auto within = [&](const GroupBall& ball) {
     const float x = row.place[0] - ball.middle[0];
     const float y = row.place[1] - ball.middle[1];
     const float z = row.place[2] - ball.middle[2];
     const float reach = ball.radius + reach_;
-    near |= x * x + y * y + z * z <= reach * reach;
+    return x * x + y * y + z * z <= reach * reach;
+  };
+  bool near = within(ball_[last_near_]);
+  for (std::size_t g = 0; !near && g < ball_.size(); ++g) {
+    near = within(ball_[g]);
+    if (near) last_near_ = g;
   }
   if (near) {
     row_of_[vertex] = static_cast<std::uint32_t>(rows_.size());
@@ -132,35 +160,7 @@ void PatchBuilder::place_rows() {
   patch_.rows = static_cast<std::uint32_t>(n);
 }
 
-void PatchBuilder::place_faces(const std::function<void()>& poll) {
-  const MeshTopology& topology = lanes_.mesh.topology;
-  const auto n = static_cast<std::uint32_t>(rows_.size());
-  face_begin_.resize(n + 1);
-  std::uint32_t faces = 0;
-  for (std::uint32_t row = 0; row < n; ++row) {
-    face_begin_[row] = faces;
-    faces += topology.star_begin[rows_[row].vertex + 1] - topology.star_begin[rows_[row].vertex];
-  }
-  face_begin_[n] = faces;
-  // The kernel shapes faces by whole vectors: those behind the last one are of the first row and not used.
-  apex_.assign(faces + lane_count_, 0);
-  row_1_.assign(faces + lane_count_, 0);
-  row_2_.assign(faces + lane_count_, 0);
-  marks_.resize(faces);
-  for (std::uint32_t row = 0; row < n; ++row) {
-    if (poll && (row + 1) % rows_between_polls == 0) poll();
-    const Index begin = topology.star_begin[rows_[row].vertex];
-    for (std::uint32_t slot = 0; slot < face_begin_[row + 1] - face_begin_[row]; ++slot)
-      add_face(row, slot, lanes_.ring[begin + slot]);
-  }
-  patch_.face_begin = face_begin_.data();
-  patch_.apex = apex_.data();
-  patch_.row_1 = row_1_.data();
-  patch_.row_2 = row_2_.data();
-  patch_.marks = marks_.data();
-}
-
-void PatchBuilder::add_face(std::uint32_t row, std::uint32_t slot, const RingFace& ring_face) {
+void PatchBuilder::place_face(std::uint32_t f, std::uint32_t row, const RingFace& ring_face) {
   std::uint32_t row_1 = row_of_[ring_face.next];
   std::uint32_t row_2 = row_of_[ring_face.previous];
   std::uint32_t mark_1 = 1u << ring_face.slot_at_next;
@@ -175,7 +175,6 @@ void PatchBuilder::add_face(std::uint32_t row, std::uint32_t slot, const RingFac
     row_2 = row_1;
     mark_2 = mark_1;
   }
-  const std::uint32_t f = face_begin_[row] + slot;
   apex_[f] = row;
   row_1_[f] = row_1;
   row_2_[f] = row_2;
@@ -186,7 +185,7 @@ void PatchBuilder::reserve_kernel_memory() {
   constexpr std::size_t alignment = 64;
   const std::size_t bytes = rows_.size() * lane_count_ * sizeof(float);
   distance_.resize(rows_.size() * lane_count_ + alignment / sizeof(float));
-  shape_.resize(apex_.size());
+  shape_.resize(face_begin_.back() + lane_count_);
   pending_.resize(rows_.size());
   void* aligned = distance_.data();
   std::size_t space = distance_.size() * sizeof(float);

@@ -24,7 +24,7 @@ struct LaneMesh {
 /// Cuts out of the mesh what a few groups of sources need. One a thread; its memory is reused from patch to patch.
 class PatchBuilder {
  public:
-  PatchBuilder(const LaneMesh& lanes, std::uint32_t lane_count);
+  PatchBuilder(const LaneMesh& lanes, const LaneKernel& kernel);
 
   /// The patch of the groups [first, last), see patch_groups.
   /// @param reach  distance from a source, in |e|, up to which vertices are wanted
@@ -52,8 +52,8 @@ class PatchBuilder {
   Row row_at(Index vertex) const;
   void consider(Index vertex);
   void place_rows();
-  void place_faces(const std::function<void()>& poll);
-  void add_face(std::uint32_t row, std::uint32_t slot, const RingFace& ring_face);
+  void reserve_faces(std::size_t faces);
+  void place_face(std::uint32_t f, std::uint32_t row, const RingFace& ring_face);
   void reserve_kernel_memory();
 
   const LaneMesh& lanes_;
@@ -65,6 +65,7 @@ class PatchBuilder {
   float reach_ = 0;
   Vec3 middle_;
   std::vector<GroupBall> ball_;  ///< by group of the patch
+  std::size_t last_near_ = 0;    ///< the ball that held the last row found, and probably holds the next
   GroupOrder order_;
   std::vector<std::uint32_t> source_row_;  ///< by source of the patch
   std::vector<std::uint32_t> row_of_;      ///< by vertex of the mesh: its row, or `unknown`, or `outside`

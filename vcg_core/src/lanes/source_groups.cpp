@@ -111,7 +111,7 @@ SourceGroups group_sources(const MeshArrays& mesh, std::uint32_t lanes, Job& job
 }
 
 Array<Index> patch_groups(const SourceGroups& groups, const MeshArrays& mesh) {
-  constexpr Index most_groups = 8;
+  constexpr Index most_groups = 16;
   constexpr double far_in_edges = 16;
   const double far = far_in_edges * mesh.topology.average_edge_length;
   const auto place = [&](Index g) { return mesh.position[groups.member[groups.begin[g]]]; };
