@@ -5,6 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -66,6 +71,40 @@ TEST(ReadMesh, AverageEdgeLengthBorderAndStarsAreThoseOfTheMesh) {
       for (Index s = arrays.topology.star_begin[i]; s < arrays.topology.star_begin[i + 1]; ++s)
         EXPECT_EQ(vertex_of(arrays, arrays.topology.star[s]), i);
     }
+  }
+}
+
+// Vertices of few faces and of many, edges of one, two and more, against counting them one by one.
+TEST(ReadMesh, EdgesOfASoupOfFacesAreCountedOnceEach) {
+  constexpr std::uint32_t count = 40;
+  for (const std::size_t faces : {20, 60, 150, 400}) {
+    std::mt19937 random(static_cast<unsigned>(faces));
+    FlatMesh soup;
+    for (std::uint32_t v = 0; v < count; ++v) soup.points.emplace_back(std::cos(v), std::sin(v), 0.1 * v);
+    while (soup.faces.size() < faces) {
+      const std::uint32_t a = random() % count;
+      const std::uint32_t b = random() % (random() % count + 1);  // some vertices get more than others
+      const std::uint32_t c = random() % count;
+      if (a != b && b != c && c != a) soup.faces.push_back({a, b, c});
+    }
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> faces_at_edge;
+    for (const Triangle& f : soup.faces)
+      for (int k = 0; k < 3; ++k) ++faces_at_edge[std::minmax(f[k], f[(k + 1) % 3])];
+    double length = 0;
+    std::set<std::uint32_t> on_border;
+    std::set<std::uint32_t> non_manifold;
+    for (const auto& [edge, n] : faces_at_edge) {
+      length += (soup.points[edge.first] - soup.points[edge.second]).Norm();
+      if (n == 1) on_border.insert({edge.first, edge.second});
+      if (n > 2) non_manifold.insert({edge.first, edge.second});
+    }
+    const MeshArrays arrays = read(soup);
+    const double e = length / static_cast<double>(faces_at_edge.size());
+    EXPECT_NEAR(std::ldexp(arrays.topology.average_edge_length, -arrays.exponent), e, 1e-14 * e);
+    EXPECT_EQ(arrays.topology.border_vertices, on_border.size());
+    EXPECT_EQ(arrays.topology.non_manifold_vertices, non_manifold.size());
+    for (std::size_t i = 0; i < arrays.size(); ++i)
+      EXPECT_EQ(arrays.topology.border[i] != 0, on_border.count(arrays.host_vertex[i]) == 1);
   }
 }
 

@@ -14,7 +14,7 @@ namespace vcg_core::detail {
 inline bool has_area(const Vec3& a, const Vec3& b, const Vec3& cross) {
   constexpr double smallest = 1e-12;
   const double longest_squared = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
-  return cross.norm() > smallest * longest_squared;
+  return cross.squaredNorm() > smallest * smallest * longest_squared * longest_squared;
 }
 
 }  // namespace vcg_core::detail

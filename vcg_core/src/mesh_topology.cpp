@@ -37,32 +37,72 @@ void find_stars(const RawMesh& mesh, MeshTopology& topology) {
 
 enum VertexKind : std::uint8_t { on_border = 1, non_manifold = 2 };
 
+std::uint8_t kind_of_edge(std::size_t faces) { return faces == 1 ? on_border : faces > 2 ? non_manifold : 0; }
+
 struct EdgeSums {
   double length = 0;
   std::size_t edges = 0;
 };
 
-/// Classifies v by its edges, and adds up those whose other end has a higher index.
-void visit_edges(const RawMesh& mesh, const MeshTopology& topology, Index v, Array<Index>& ends, EdgeSums& sums,
-                 std::uint8_t& kind) {
-  ends.clear();
-  for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
-    const Index corner = topology.star[s];
-    const auto& face = mesh.face[corner / 3];
-    ends.push_back(face[next_in_face(corner) % 3]);
-    ends.push_back(face[previous_in_face(corner) % 3]);
+/// Goes through the edges at one vertex after the other. Its memory is reused.
+class EdgeVisitor {
+ public:
+  EdgeVisitor(const RawMesh& mesh, const MeshTopology& topology) : mesh_(mesh), topology_(topology) {}
+
+  /// Classifies v by its edges, and adds up those whose other end has a higher index.
+  std::uint8_t visit(Index v, EdgeSums& sums) {
+    ends_.clear();
+    for (Index s = topology_.star_begin[v]; s < topology_.star_begin[v + 1]; ++s) {
+      const Index corner = topology_.star[s];
+      const auto& face = mesh_.face[corner / 3];
+      ends_.push_back(face[next_in_face(corner) % 3]);
+      ends_.push_back(face[previous_in_face(corner) % 3]);
+    }
+    higher_.clear();
+    const std::uint8_t kind = ends_.size() <= few ? count_few(v) : count_sorted(v);
+    for (const Index end : higher_) sums.length += (mesh_.position[end] - mesh_.position[v]).norm();
+    sums.edges += higher_.size();
+    return kind;
   }
-  std::sort(ends.begin(), ends.end());
-  for (std::size_t begin = 0, end = 0; begin < ends.size(); begin = end) {
-    while (end < ends.size() && ends[end] == ends[begin]) ++end;
-    const std::size_t faces = end - begin;
-    if (faces == 1) kind |= on_border;
-    if (faces > 2) kind |= non_manifold;
-    if (ends[begin] < v) continue;  // counted at its other end
-    sums.length += (mesh.position[ends[begin]] - mesh.position[v]).norm();
-    ++sums.edges;
+
+ private:
+  static constexpr std::size_t few = 16;
+
+  /// Counts the faces at each edge by comparing all ends with all: without branches, which are hard to foretell here.
+  std::uint8_t count_few(Index v) {
+    const std::size_t n = ends_.size();
+    ends_.resize(few, v);  // no end of an edge of v
+    Index faces[few] = {};
+    Index higher[few];
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Index end = ends_[k];
+      higher[count] = end;
+      count += (faces[k] == 0) & (end > v) ? 1 : 0;
+      for (std::size_t i = 0; i < few; ++i) faces[i] += ends_[i] == end ? 1 : 0;
+    }
+    higher_.assign(higher, higher + count);
+    std::uint8_t kind = 0;
+    for (std::size_t k = 0; k < n; ++k) kind |= kind_of_edge(faces[k]);
+    return kind;
   }
-}
+
+  std::uint8_t count_sorted(Index v) {
+    std::sort(ends_.begin(), ends_.end());
+    std::uint8_t kind = 0;
+    for (std::size_t begin = 0, end = 0; begin < ends_.size(); begin = end) {
+      while (end < ends_.size() && ends_[end] == ends_[begin]) ++end;
+      kind |= kind_of_edge(end - begin);
+      if (ends_[begin] > v) higher_.push_back(ends_[begin]);
+    }
+    return kind;
+  }
+
+  const RawMesh& mesh_;
+  const MeshTopology& topology_;
+  Array<Index> ends_;    ///< the other two vertices of each face
+  Array<Index> higher_;  ///< ends of a higher index than v, each once
+};
 
 bool is_degenerate(const RawMesh& mesh, const std::array<Index, 3>& f) {
   if (has_repeated_vertex(f)) return true;
@@ -83,10 +123,10 @@ MeshTopology find_topology(const RawMesh& mesh, Job& job) {
   Array<std::uint8_t> kind(n, 0);
   Array<EdgeSums> sums((n + grain - 1) / grain);  // one a chunk: added up in their order, whoever computed them
   job.parallel(n, grain, [&](Chunks& chunks) {
-    Array<Index> ends;
+    EdgeVisitor edges(mesh, topology);
     while (chunks.next())
       for (std::size_t v = chunks.begin(); v < chunks.end(); ++v)
-        visit_edges(mesh, topology, static_cast<Index>(v), ends, sums[chunks.index()], kind[v]);
+        kind[v] = edges.visit(static_cast<Index>(v), sums[chunks.index()]);
   });
   EdgeSums all;
   for (const EdgeSums& s : sums) {

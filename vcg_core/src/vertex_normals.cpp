@@ -1,11 +1,10 @@
 #include "vertex_normals.h"
 
-#include <cmath>
-
 #include <Eigen/Geometry>
 
 #include <vcg_core/detail/job.h>
 
+#include "angle.h"
 #include "face_area.h"
 
 namespace vcg_core::detail {
@@ -25,7 +24,7 @@ Vec3 vertex_normal(const MeshArrays& mesh, const Array<Vec3>& position, Index v)
     const Vec3 cross = a.cross(b);
     if (!has_area(a, b, cross)) continue;
     const double twice_area = cross.norm();
-    sum += cross * (std::atan2(twice_area, a.dot(b)) / twice_area);
+    sum += cross * (angle_between(twice_area, a.dot(b)) / twice_area);
   }
   const double length = sum.norm();
   return length > cancelled ? Vec3(sum / length) : Vec3(Vec3::Zero());

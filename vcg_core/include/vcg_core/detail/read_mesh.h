@@ -27,8 +27,10 @@ class PowerOfTwo {
   double rest_;
 };
 
+constexpr Index deleted_vertex = std::numeric_limits<Index>::max();
+
 /// Copies the vertices that are not deleted, and checks them.
-/// @return index into raw.position of each element of mesh.vert
+/// @return index into raw.position of each element of mesh.vert, or deleted_vertex
 template <class Mesh>
 Array<Index> read_vertices(const Mesh& mesh, RawMesh& raw, Job& job) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -43,8 +45,8 @@ Array<Index> read_vertices(const Mesh& mesh, RawMesh& raw, Job& job) {
   double largest = 0;
   for (std::size_t v = 0; v < mesh.vert.size(); ++v) {
     if (v % 65536 == 0) job.report(0.0);
-    index_of[v] = static_cast<Index>(raw.position.size());
-    if (mesh.vert[v].IsD()) continue;
+    index_of[v] = mesh.vert[v].IsD() ? deleted_vertex : static_cast<Index>(raw.position.size());
+    if (index_of[v] == deleted_vertex) continue;
     const auto& p = mesh.vert[v].cP();
     const Vec3 position(p[0], p[1], p[2]);
     if (!position.allFinite()) {
@@ -82,7 +84,7 @@ void read_faces(const Mesh& mesh, const Array<Index>& index_of, RawMesh& raw, Jo
       const auto address = reinterpret_cast<std::uintptr_t>(face.cV(k));
       const auto first = reinterpret_cast<std::uintptr_t>(mesh.vert.data());
       const std::size_t v = (address - first) / sizeof(mesh.vert[0]);
-      if (address < first || v >= mesh.vert.size() || mesh.vert[v].IsD())
+      if (address < first || v >= index_of.size() || index_of[v] == deleted_vertex)
         throw InvalidMesh("face " + std::to_string(f) + " refers to a vertex that the mesh does not have");
       triangle[k] = index_of[v];
       if (face.IsS()) raw.selected[index_of[v]] = 1;
