@@ -1,10 +1,13 @@
 // The whole call, from a vcglib mesh and back, and its steps.
 
+#include <chrono>
 #include <thread>
 
 #include <benchmark/benchmark.h>
 
+#include <vcg_core/detail/commit_positions.h>
 #include <vcg_core/detail/read_mesh.h>
+#include <vcg_core/detail/smooth_arrays.h>
 #include <vcg_core/smoothing.h>
 
 #include "bench_mesh.h"
@@ -121,21 +124,44 @@ BENCHMARK_CAPTURE(shape, plane_delaunay, "plane_delaunay")->Unit(benchmark::kMil
 BENCHMARK_CAPTURE(shape, cube, "cube")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(shape, graded_cube, "graded_cube")->Unit(benchmark::kMillisecond);
 
-/// Copying, checking, reordering and the topology: everything before the normals.
-void step_read(benchmark::State& state) {
-  const mesh_tools::Mesh& mesh = bench::noisy_mesh({vertices_of(state)});
+/// The steps of a whole call one by one, and the share of those around the smoothing itself. In one go, as a machine
+/// may change its speed between two measurements.
+void steps(benchmark::State& state) {
+  using Clock = std::chrono::steady_clock;
+  const auto seconds = [](Clock::duration time) { return std::chrono::duration<double>(time).count(); };
+  mesh_tools::Mesh mesh;
+  copy_mesh(bench::noisy_mesh({vertices_of(state)}), mesh);
   detail::Job job = bench::single_thread();
-  for (auto _ : state) benchmark::DoNotOptimize(detail::read_mesh(mesh, job));
-  per_vertex(state, mesh.vert.size());
+  const SmoothingParameters parameters = with_threads(1);
+  detail::VertexAttributes no_attributes;
+  double read = 0;
+  double normals = 0;
+  double smooth = 0;
+  double commit = 0;
+  for (auto _ : state) {
+    const Clock::time_point begin = Clock::now();
+    const detail::MeshArrays arrays = detail::read_mesh(mesh, job);
+    const Clock::time_point was_read = Clock::now();
+    benchmark::DoNotOptimize(detail::vertex_normals(arrays, arrays.position, job));
+    const Clock::time_point had_normals = Clock::now();
+    detail::SmoothingResult result = detail::smooth_arrays(arrays, Method::paper, parameters, no_attributes, job);
+    const Clock::time_point was_smooth = Clock::now();
+    detail::commit_positions(arrays, result.position, mesh, result.report);
+    const Clock::time_point end = Clock::now();
+    state.PauseTiming();
+    copy_positions(bench::noisy_mesh({vertices_of(state)}), mesh);
+    state.ResumeTiming();
+    read += seconds(was_read - begin);
+    normals += seconds(had_normals - was_read);
+    smooth += seconds(was_smooth - had_normals);  // with the normals
+    commit += seconds(end - was_smooth);
+  }
+  const auto mean = [](double sum) { return benchmark::Counter(sum, benchmark::Counter::kAvgIterations); };
+  state.counters["read_seconds"] = mean(read);
+  state.counters["normals_seconds"] = mean(normals);
+  state.counters["commit_seconds"] = mean(commit);
+  state.counters["share"] = (read + normals + commit) / (read + smooth + commit);
 }
-BENCHMARK(step_read)->Arg(1000000)->Unit(benchmark::kMillisecond);
-
-void step_normals(benchmark::State& state) {
-  const bench::Arrays& arrays = bench::noisy_arrays({vertices_of(state)});
-  detail::Job job = bench::single_thread();
-  for (auto _ : state) benchmark::DoNotOptimize(detail::vertex_normals(arrays.mesh, arrays.mesh.position, job));
-  per_vertex(state, arrays.mesh.size());
-}
-BENCHMARK(step_normals)->Arg(1000000)->Unit(benchmark::kMillisecond);
+BENCHMARK(steps)->Arg(1000000)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -17,7 +17,10 @@ void commit_positions(const MeshArrays& arrays, const Array<Vec3>& position, Mes
   const PowerOfTwo to_host(-arrays.exponent);
   double sum_of_squares = 0;  // in units of `position`: no square over- or underflows there
   double largest_square = 0;
+  // The caller's order is not ours: vertices that are not asked for early are waited for, one by one.
+  constexpr std::size_t ahead = 32;
   for (std::size_t i = 0; i < position.size(); ++i) {
+    if (i + ahead < position.size()) __builtin_prefetch(&mesh.vert[arrays.host_vertex[i + ahead]].P(), 1);
     if (position[i] == arrays.position[i]) continue;
     const Vec3 to = to_host * position[i];
     const typename Mesh::CoordType stored(static_cast<Scalar>(to[0]), static_cast<Scalar>(to[1]),
