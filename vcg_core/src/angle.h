@@ -6,7 +6,7 @@
 namespace vcg_core::detail {
 
 /// The angle in [0, pi] between two vectors, of |a x b| >= 0 and a . b, not both zero: std::atan2(cross, dot) within
-/// 5e-16, in less time, as nothing branches, and with the same bits whatever mathematical library there is.
+/// 6e-16, in less time, as nothing branches, and with the same bits whatever mathematical library there is.
 inline double angle_between(double cross, double dot) {
   constexpr double pi = 3.14159265358979323846;
   constexpr double tan_pi_8 = 0.41421356237309504880;

@@ -29,7 +29,6 @@ struct Simd {
   static Vector abs(Vector a) { return _mm256_andnot_ps(set(-0.0f), a); }
   static Vector sqrt(Vector a) { return _mm256_sqrt_ps(a); }
   static Mask less(Vector a, Vector b) { return _mm256_cmp_ps(a, b, _CMP_LT_OQ); }
-  static Mask both(Mask a, Mask b) { return _mm256_and_ps(a, b); }
   static bool any(Mask m) { return _mm256_movemask_ps(m) != 0; }
   static Vector select(Mask m, Vector yes, Vector no) { return _mm256_blendv_ps(no, yes, m); }
   static Vector min_where(Mask m, Vector a, Vector b) { return select(m, min(a, b), a); }

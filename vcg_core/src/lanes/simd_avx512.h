@@ -29,7 +29,6 @@ struct Simd {
   static Vector abs(Vector a) { return _mm512_abs_ps(a); }
   static Vector sqrt(Vector a) { return _mm512_sqrt_ps(a); }
   static Mask less(Vector a, Vector b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ); }
-  static Mask both(Mask a, Mask b) { return static_cast<Mask>(a & b); }
   static bool any(Mask m) { return m != 0; }
   static Vector select(Mask m, Vector yes, Vector no) { return _mm512_mask_blend_ps(m, no, yes); }
   static Vector min_where(Mask m, Vector a, Vector b) { return _mm512_mask_min_ps(a, m, a, b); }
