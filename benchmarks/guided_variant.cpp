@@ -44,6 +44,7 @@ const std::map<std::string, Setter>& setters() {
       {"final_updates", set(&GuidedSettings::final_updates)},
       {"detail_from", set(&GuidedSettings::detail_from)},
       {"detail_full", set(&GuidedSettings::detail_full)},
+      {"most_deviations", set(&GuidedSettings::most_deviations)},
       {"unfold_step", set(&GuidedSettings::unfold_step)},
       {"fold_cosine", set(&GuidedSettings::fold_cosine)},
       {"guide", set(&GuidedSettings::guide)},

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <utility>
 
 #include <gtest/gtest.h>
 
 #include <support/noisy_shapes.h>
+#include <support/raw_mesh.h>
 #include <vcg_core/detail/job.h>
 #include <vcg_core/detail/mesh_arrays.h>
 
@@ -15,7 +15,6 @@
 #include "guided/detail_recovery.h"
 #include "guided/face_neighborhoods.h"
 #include "guided/guide_normals.h"
-#include "guided/noise_estimate.h"
 #include "guided/normal_filter.h"
 #include "guided/range_weight.h"
 #include "guided/vertex_update.h"
@@ -28,16 +27,7 @@ using test_support::FlatMesh;
 
 const vcg_core::Progress no_progress;
 
-MeshArrays arrays_of(const FlatMesh& flat, Job& job) {
-  RawMesh raw;
-  for (const auto& p : flat.points) raw.position.emplace_back(p[0], p[1], p[2]);
-  for (const auto& f : flat.faces)
-    raw.face.push_back({static_cast<Index>(f[0]), static_cast<Index>(f[1]), static_cast<Index>(f[2])});
-  for (Index v = 0; v < raw.position.size(); ++v) raw.host_vertex.push_back(v);
-  raw.selected.assign(raw.position.size(), 0);
-  raw.host_vertex_count = raw.position.size();
-  return make_mesh_arrays(std::move(raw), job);
-}
+using test_support::mesh_arrays;
 
 class GuidedSteps : public testing::Test {
  protected:
@@ -60,7 +50,7 @@ class GuidedSteps : public testing::Test {
   }
 
   Job job{no_progress, 2};
-  MeshArrays mesh = arrays_of(test_support::noisy_shape("cube", 400), job);
+  MeshArrays mesh = mesh_arrays(test_support::noisy_shape("cube", 400), job);
   FaceGeometry faces;
   Array<Index> across;
   FaceLists around;
@@ -187,7 +177,7 @@ TEST_F(GuidedSteps, UpdateMovesToThePlanesOfTheFaces) {
 TEST(GuidedUnfolding, OpensFoldsWithinThePlane) {
   Job job{no_progress, 1};
   const FlatMesh flat = test_support::noisy_shape("plane_slash", 121, 0);
-  MeshArrays mesh = arrays_of(flat, job);
+  MeshArrays mesh = mesh_arrays(flat, job);
   Array<Vec3> position = mesh.position;
   Index moved = 0;
   for (Index v = 0; v < mesh.size(); ++v)
@@ -207,20 +197,9 @@ TEST(GuidedUnfolding, OpensFoldsWithinThePlane) {
   for (const Vec3& p : position) EXPECT_EQ(p[2], 0);
 }
 
-TEST(GuidedNoise, IsEstimated) {
-  Job job{no_progress, 1};
-  for (const double level : {0.1, 0.2, 0.3}) {
-    const MeshArrays mesh = arrays_of(test_support::noisy_shape("sphere", 3000, level), job);
-    FaceGeometry faces;
-    faces.measure(mesh, mesh.position, job);
-    const double e = mesh.topology.average_edge_length;
-    EXPECT_NEAR(estimate_noise(mesh, mesh.position, faces, job) / e, level, 0.25 * level) << level;
-  }
-}
-
 TEST(GuidedDetail, WhiteNoiseStaysOutAndShapeComesBack) {
   Job job{no_progress, 1};
-  const MeshArrays noisy = arrays_of(test_support::noisy_shape("plane_delaunay", 2000, 0.2), job);
+  const MeshArrays noisy = mesh_arrays(test_support::noisy_shape("plane_delaunay", 2000, 0.2), job);
   Array<Vec3> flat = noisy.position;
   for (Vec3& p : flat) p[2] = 0;
   const Array<std::uint8_t> movable(noisy.size(), 1);
@@ -245,7 +224,7 @@ TEST(GuidedDetail, WhiteNoiseStaysOutAndShapeComesBack) {
 
 TEST(GuidedColor, DoesNotBleedOverAnEdge) {
   Job job{no_progress, 1};
-  const MeshArrays mesh = arrays_of(test_support::noisy_shape("cube", 2000, 0), job);
+  const MeshArrays mesh = mesh_arrays(test_support::noisy_shape("cube", 2000, 0), job);
   VertexAttributes attributes;
   attributes.has_quality = true;
   double top = -1e300;

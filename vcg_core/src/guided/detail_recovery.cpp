@@ -6,7 +6,8 @@
 #include <vcg_core/detail/job.h>
 
 #include "face_geometry.h"
-#include "noise_estimate.h"
+#include "median.h"
+#include "ring_mean.h"
 
 namespace vcg_core::detail {
 
@@ -44,28 +45,6 @@ Array<Vec3> mean_normals(const MeshArrays& mesh, const Array<Vec3>& face_normal,
       }
   });
   return normal;
-}
-
-/// The mean over the one ring, the vertex itself with the weight of one neighbour of six; `rings` times.
-Array<double> low_pass(const MeshArrays& mesh, Array<double> value, int rings, Job& job) {
-  const MeshTopology& topology = mesh.topology;
-  Array<double> mean(value.size());
-  for (int ring = 0; ring < rings; ++ring) {
-    job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
-      while (chunks.next())
-        for (std::size_t v = chunks.begin(); v < chunks.end(); ++v) {
-          double sum = 0;
-          for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
-            const Index corner = topology.star[s];
-            sum += value[vertex_of(mesh, next_in_face(corner))] + value[vertex_of(mesh, previous_in_face(corner))];
-          }
-          const double count = 2.0 * (topology.star_begin[v + 1] - topology.star_begin[v]);
-          mean[v] = count > 0 ? (6 * sum / count + value[v]) / 7 : value[v];
-        }
-    });
-    value.swap(mean);
-  }
-  return value;
 }
 
 double noise_of(const Array<double>& residual, const Array<double>& one_ring) {

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <vcg_core/detail/job.h>
 
-#include "noise_estimate.h"
+#include "median.h"
 #include "range_weight.h"
 
 namespace vcg_core::detail {
@@ -76,6 +77,18 @@ class PatchMeasure {
   const Array<Vec3>& normal_;
   Array<Index> member_of_;
 };
+
+/// Median length of the difference of adjoining unit normals, of at most 2^18 edges.
+double median_normal_difference(const Array<Vec3>& normal, const Array<Index>& across) {
+  constexpr std::size_t most_corners = std::size_t(1) << 18;
+  Array<double> difference;
+  const std::size_t stride = std::max<std::size_t>(1, across.size() / most_corners);
+  for (std::size_t corner = 0; corner < across.size(); corner += stride) {
+    const Index g = across[corner];
+    if (g != no_face && g > corner / 3) difference.push_back((normal[corner / 3] - normal[g]).norm());
+  }
+  return median(std::move(difference));
+}
 
 Vec3 bilateral_mean(const FaceLists& around, Index f, const Array<double>& area, const Array<Vec3>& normal,
                     const RangeWeight& weight) {

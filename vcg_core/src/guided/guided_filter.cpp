@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <string>
 #include <utility>
 
 #include <vcg_core/detail/job.h>
 
 #include "detail_recovery.h"
+#include "displacement_limit.h"
 #include "face_geometry.h"
 #include "face_neighborhoods.h"
 #include "guide_normals.h"
@@ -18,13 +22,24 @@ namespace vcg_core::detail {
 
 namespace {
 
+/// Share of the vertices from which the noise that is seen there counts for the whole mesh without a word.
+constexpr double little_evidence = 0.1;
+
+std::string in_percent(double share) {
+  std::ostringstream text;
+  text << std::setprecision(2) << 100 * share << " %";
+  return text.str();
+}
+
 /// What the rounds of one run share.
 class GuidedRun {
  public:
   GuidedRun(const PassInput& input, const GuidedSettings& settings)
       : in_(input), settings_(settings), job_(input.job), position_(input.position) {}
 
-  Array<Vec3> run() {
+  PassOutput run() {
+    measure_noise();
+    if (!(noise_ > 0)) return unchanged();
     find_neighbourhoods();
     const int rounds = settings_.coarse_rounds > 0 ? settings_.coarse_rounds : rounds_for_noise();
     for (int round = 0; round < rounds; ++round) {
@@ -37,16 +52,45 @@ class GuidedRun {
     job_.report(0.95);
     if (settings_.recover_detail)
       detail::recover_detail(in_.mesh, in_.position, in_.movable, settings_, position_, job_);
-    return std::move(position_);
+    return hold_to_limits();
   }
 
  private:
+  void measure_noise() {
+    faces_.measure(in_.mesh, position_, job_);
+    normal_ = faces_.normal;
+    estimate_ = estimate_noise(in_.mesh, in_.position, faces_, job_);
+    noise_ = settings_.noise_scale * estimate_.mean;
+  }
+
+  PassOutput unchanged() {
+    PassOutput output{in_.position};
+    output.estimated_noise = 0;
+    output.notes.push_back(
+        "the mesh shows no noise that can be told from its shape, so nothing was moved; if it is noisy all the same, "
+        "use "
+        "the paper's filter or Taubin's");
+    return output;
+  }
+
+  PassOutput hold_to_limits() {
+    const Array<double> limit =
+        displacement_limits(in_.mesh, estimate_.deviation, settings_.most_deviations * settings_.noise_scale, job_);
+    Array<std::uint8_t> bounded(in_.mesh.size(), 0);
+    limit_displacements(in_.position, limit, position_, bounded, job_);
+    keep_faces_upright(in_.mesh, in_.position, normal_, limit, position_, bounded, job_);
+    PassOutput output{std::move(position_)};
+    output.bounded_vertices = static_cast<std::size_t>(std::count(bounded.begin(), bounded.end(), 1));
+    output.estimated_noise = estimate_.mean;
+    if (estimate_.evidence < little_evidence)
+      output.notes.push_back("noise can be told from shape around " + in_percent(estimate_.evidence) +
+                             " of the vertices only; elsewhere they were moved little");
+    return output;
+  }
+
   void find_neighbourhoods() {
     across_ = faces_across(in_.mesh, job_);
     around_ = faces_around(in_.mesh, across_, job_);
-    faces_.measure(in_.mesh, position_, job_);
-    normal_ = faces_.normal;
-    noise_ = settings_.noise_scale * estimate_noise(in_.mesh, in_.position, faces_, job_);
     spacing_ = local_spacing(in_.mesh, settings_.follow_edge_length, settings_.noise_spacing * noise_, job_);
     within_ = faces_within(around_, faces_.centroid, spacing_, settings_.radius, job_);
     job_.report(0.1);
@@ -86,13 +130,14 @@ class GuidedRun {
   FaceLists within_;
   Array<double> spacing_;
   FaceGeometry faces_;
-  double noise_ = 0;  ///< standard deviation, in units of the positions
+  NoiseEstimate estimate_;
+  double noise_ = 0;  ///< standard deviation over the whole mesh that is to be removed, in units of the positions
 };
 
 }  // namespace
 
 PassOutput guided_pass(const PassInput& input, const GuidedSettings& settings) {
-  return PassOutput{GuidedRun(input, settings).run()};
+  return GuidedRun(input, settings).run();
 }
 
 PassOutput guided_pass(const PassInput& input) { return guided_pass(input, guided_settings(input.parameters)); }

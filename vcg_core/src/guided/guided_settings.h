@@ -14,11 +14,11 @@ struct GuidedSettings {
   /// No spacing is less than this many standard deviations of the noise, up to the spacing of the mesh's average edge:
   /// where edges are short, the same noise is more of an edge length, and it takes as wide a neighbourhood to remove
   /// it.
-  double noise_spacing = 2.5;
+  double noise_spacing = 2.9;
 
   /// 0: `rounds_by_noise` times the noise in |e|, from fewest to most.
   int coarse_rounds = 0;
-  double rounds_by_noise = 20;
+  double rounds_by_noise = 25;
   int fewest_rounds = 2;
   int most_rounds = 12;
   /// Range sigma of the coarse rounds: length of a difference of unit normals.
@@ -49,6 +49,8 @@ struct GuidedSettings {
 
   /// Standard deviation of the noise is the estimate times this.
   double noise_scale = 1;
+  /// No vertex moves farther than this many standard deviations of the noise around it.
+  double most_deviations = 5;
   /// Energy of the low-passed residual, in units of that of white noise, from which detail is brought back, and from
   /// which it is brought back in full.
   double detail_from = 1;
