@@ -76,7 +76,9 @@ TEST_P(EveryMethod, GivesTheSameWhateverTheNumberOfThreads) {
 }
 
 TEST_P(EveryMethod, HoldsBordersAndWhatIsNotSelected) {
-  const FlatMesh mesh = height_field(15, [](double x, double y) { return 0.1 * std::sin(9 * x + 7 * y * y); });
+  const auto noise = [](double x, double y) { return 0.02 * std::sin(7919.1 * x + 10473.3 * y * y + 511.7 * x * y); };
+  const FlatMesh mesh =
+      height_field(15, [&](double x, double y) { return 0.02 * std::sin(9 * x + 7 * y * y) + noise(x, y); });
   SmoothingParameters p = defaults();
   p.boundary = vcg_core::Boundary::fixed;
   const FlatMesh fixed = smoothed_by(method(), mesh, p).mesh;

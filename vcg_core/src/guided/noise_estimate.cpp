@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <vcg_core/detail/job.h>
 
@@ -43,10 +44,13 @@ constexpr double least_share = 0.03;
 constexpr double full_share = 0.1;
 constexpr double full_count = 64;
 
-/// Smallest stretch of vertices, in the library's order and to each side, in which trusted ones are looked for. Each
-/// next one is `stretch_factor` times as long.
-constexpr std::size_t shortest_stretch = 256;
-constexpr std::size_t stretch_factor = 4;
+/// A few vertices of a clean mesh look noisy by chance. Their share of the whole mesh from which they are believed, and
+/// from which they are in full.
+constexpr double believed_from = 0.02;
+constexpr double believed_full = 0.05;
+
+/// Rings over which trusted vertices are looked for; where there are too few, all of the mesh count.
+constexpr int testimony_rings = 24;
 
 double ramp(double x, double from, double full) { return std::clamp((x - from) / (full - from), 0.0, 1.0); }
 
@@ -135,63 +139,52 @@ double trust_in(const Evidence& e) {
   return noise * irregular * (1 - ramp(jump, jump_full, jump_to)) * spread;
 }
 
-/// Variance of the noise that the trusted vertices of any stretch of the library's order tell of.
-class TrustedVariance {
- public:
-  TrustedVariance(const Array<Evidence>& own, const Array<Evidence>& around) : up_to_(own.size() + 1) {
-    up_to_[0] = {};
-    for (std::size_t v = 0; v < own.size(); ++v) {
-      const double trust = own[v][expected] > 0 ? trust_in(around[v]) : 0;
-      up_to_[v + 1] = {up_to_[v].opposed + trust * own[v][opposed], up_to_[v].expected + trust * own[v][expected],
-                       up_to_[v].trusted + trust, up_to_[v].all + (own[v][expected] > 0)};
-    }
-  }
+/// What trusted vertices tell, each as far as it is trusted.
+using Testimony = Eigen::Matrix<double, 4, 1>;
+enum : int { trusted_opposed, trusted_expected, trusted, asked };
 
-  /// That of the nearest ones that are enough; of all, faded, if there are too few.
-  double around(std::size_t v) const {
-    const std::size_t n = up_to_.size() - 1;
-    for (std::size_t half = shortest_stretch;; half *= stretch_factor) {
-      const Sums sums = between(v - std::min(half, v), std::min(n, v + half + 1));
-      const double confidence = confidence_in(sums);
-      if (confidence >= 1 || half >= n) return confidence * variance(sums);
-    }
-  }
+double variance_of(const Testimony& t) {
+  return t[trusted_expected] > 0 ? t[trusted_opposed] / t[trusted_expected] : 0;
+}
 
-  double share() const { return up_to_.back().all > 0 ? up_to_.back().trusted / up_to_.back().all : 0; }
+/// Whether there are enough trusted vertices among those that were asked: from 0 to 1.
+double confidence_in(const Testimony& t) {
+  return t[trusted] > 0 ? ramp(t[trusted] / t[asked], least_share, full_share) : 0;
+}
 
- private:
-  struct Sums {
-    double opposed, expected, trusted, all;
-  };
-
-  Sums between(std::size_t begin, std::size_t end) const {
-    const Sums &a = up_to_[begin], &b = up_to_[end];
-    return {b.opposed - a.opposed, b.expected - a.expected, b.trusted - a.trusted, b.all - a.all};
+/// By vertex.
+Array<Testimony> find_testimony(const Array<Evidence>& own, const Array<Evidence>& around) {
+  Array<Testimony> testimony(own.size());
+  for (std::size_t v = 0; v < own.size(); ++v) {
+    const double trust = own[v][vertices] > 0 ? trust_in(around[v]) : 0;
+    testimony[v] = Testimony(trust * own[v][opposed], trust * own[v][expected], trust, own[v][vertices]);
   }
-  static double confidence_in(const Sums& sums) {
-    if (!(sums.trusted > 0)) return 0;
-    return ramp(sums.trusted / sums.all, least_share, full_share) * std::min(1.0, sums.trusted / full_count);
-  }
-  static double variance(const Sums& sums) {
-    return sums.expected > 0 ? std::max(0.0, sums.opposed / sums.expected) : 0;
-  }
-
-  Array<Sums> up_to_;
-};
+  return testimony;
+}
 
 }  // namespace
 
 NoiseEstimate estimate_noise(const MeshArrays& mesh, const Array<Vec3>& position, const FaceGeometry& faces, Job& job) {
   const Array<Evidence> own = find_evidence(mesh, heights(mesh, position, faces, job), job);
   const Array<Evidence> around = low_pass(mesh, own, evidence_rings, job);
-  const TrustedVariance trusted(own, around);
+  Array<Testimony> testimony = find_testimony(own, around);
+  Testimony all = Testimony::Zero();
+  for (const Testimony& t : testimony) all += t;
+  const double share = all[asked] > 0 ? all[trusted] / all[asked] : 0;
+  const double believed = ramp(share, believed_from, believed_full) * std::min(1.0, all[trusted] / full_count);
+  const double of_all = believed * confidence_in(all) * variance_of(all);
+  testimony = low_pass(mesh, std::move(testimony), testimony_rings, job);
+
   NoiseEstimate noise;
-  noise.evidence = trusted.share();
+  noise.evidence = share;
   noise.deviation.resize(mesh.size());
   job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
-      for (std::size_t v = chunks.begin(); v < chunks.end(); ++v)
-        noise.deviation[v] = std::sqrt(std::min(variance_of(around[v]), trusted.around(v)));
+      for (std::size_t v = chunks.begin(); v < chunks.end(); ++v) {
+        const double near_by = believed * confidence_in(testimony[v]);
+        const double variance = near_by * variance_of(testimony[v]) + (1 - near_by) * of_all;
+        noise.deviation[v] = std::sqrt(std::min(variance_of(around[v]), variance));
+      }
   });
   double sum = 0;
   for (const double deviation : noise.deviation) sum += deviation * deviation;
