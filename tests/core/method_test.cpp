@@ -33,7 +33,7 @@ TEST(MethodTable, HoldsTable1) {
   const auto defaults = [](const char* name) {
     return vcg_core::method_info(*vcg_core::method_from_name(name)).defaults;
   };
-  for (const char* name : {"laplacian", "hc", "taubin"}) EXPECT_EQ(defaults(name).iterations, 20) << name;
+  for (const char* name : {"laplacian", "hc", "hc_vcglib", "taubin"}) EXPECT_EQ(defaults(name).iterations, 20) << name;
   for (const char* name : {"jones", "bmd", "paper"}) {
     EXPECT_EQ(defaults(name).iterations, 1) << name;
     EXPECT_EQ(defaults(name).sigma_c, 2) << name;

@@ -1,4 +1,4 @@
-// vcglib's Laplacian, HC and Taubin smoothing as this library calls them: steps by hand, borders, what is kept out.
+// vcglib's Laplacian, HC and Taubin's smoothing as this library calls them: steps by hand, borders, what is kept out.
 
 #include <set>
 
@@ -49,18 +49,19 @@ TEST(TaubinFilter, AStepOnAFanByHand) {
   expect_near(smoothed_by(Method::taubin, fan(), steps(1)).mesh.points[0], expected);
 }
 
-// vcglib adds the mean of the neighbours' ways; the article (Vollmer, Mencl, Mueller 1999) subtracts it.
-TEST(HcFilter, AStepOnAFanByHand) {
+// vcglib adds the neighbours' mean displacement; the article (hc_filter_test.cpp) subtracts it.
+TEST(HcVcglibFilter, AStepOnAFanByHand) {
   const FlatMesh mesh = fan();
   const std::vector<Point>& p = mesh.points;
-  const Point way_of_hub = rim_mean - p[0];
-  Point mean_way_of_rim(0, 0, 0);
+  const Point step_of_hub = rim_mean - p[0];
+  Point mean_step_of_rim(0, 0, 0);
   for (std::size_t k = 0; k < 6; ++k) {
     const Point& before = p[1 + (k + 5) % 6];
     const Point& after = p[1 + (k + 1) % 6];
-    mean_way_of_rim += ((before + after + p[0]) / 3 - p[1 + k]) / 6;
+    mean_step_of_rim += ((before + after + p[0]) / 3 - p[1 + k]) / 6;
   }
-  expect_near(smoothed_by(Method::hc, mesh, steps(1)).mesh.points[0], p[0] + (way_of_hub + mean_way_of_rim) * 0.5);
+  expect_near(smoothed_by(Method::hc_vcglib, mesh, steps(1)).mesh.points[0],
+              p[0] + (step_of_hub + mean_step_of_rim) * 0.5);
 }
 
 TEST(LaplacianFilter, FollowsTheSameRuleAlongAFreeBorder) {
@@ -85,7 +86,7 @@ TEST(TaubinFilter, FollowsTheSameRuleAlongAFreeBorder) {
 
 TEST(VcglibFilters, StepsAddUp) {
   const FlatMesh mesh = potato(2);
-  for (const Method method : {Method::laplacian, Method::hc, Method::taubin}) {
+  for (const Method method : {Method::laplacian, Method::hc_vcglib, Method::taubin}) {
     FlatMesh one_by_one = mesh;
     for (int k = 0; k < 5; ++k) one_by_one = smoothed_by(method, one_by_one, steps(1)).mesh;
     const double largest = difference(one_by_one, smoothed_by(method, mesh, steps(5)).mesh, 0).largest;
@@ -108,7 +109,7 @@ TEST(LaplacianFilter, IsTheMeanOfNeighboursOnAClosedSurface) {
 
 // vcglib alone divides by zero at the isolated vertex and counts a vertex as its own neighbour in the broken face.
 TEST(VcglibFilters, KeepOutWhatVcglibCannotTake) {
-  for (const Method method : {Method::laplacian, Method::hc, Method::taubin}) {
+  for (const Method method : {Method::laplacian, Method::hc_vcglib, Method::taubin}) {
     const FlatMesh clean = potato(1);
     FlatMesh broken = clean;
     broken.points.emplace_back(5, 5, 5);

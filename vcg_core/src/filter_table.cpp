@@ -6,6 +6,7 @@
 #include "bmd_filter.h"
 #include "guided/guided_filter.h"
 #include "hc_filter.h"
+#include "hc_vcglib_filter.h"
 #include "jones_filter.h"
 #include "lanes/lane_filter.h"
 #include "laplacian_filter.h"
@@ -72,6 +73,13 @@ const std::vector<FilterEntry>& filter_table() {
       {{Method::hc, "hc", "Improved Laplacian smoothing (HC)", {"iterations"}, with_iterations(20)},
        false,
        make_hc_pass},
+      {{Method::hc_vcglib,
+        "hc_vcglib",
+        "Improved Laplacian smoothing as vcglib has it, which shrinks",
+        {"iterations"},
+        with_iterations(20)},
+       false,
+       make_hc_vcglib_pass},
       {{Method::taubin, "taubin", "Taubin's signal processing", {"iterations"}, with_iterations(20)},
        false,
        make_taubin_pass},

@@ -4,13 +4,22 @@
 
 namespace vcg_core::detail {
 
-/// "Improved Laplacian" smoothing (Vollmer, Mencl, Mueller 1999): vcglib's tri::Smooth::VertexCoordLaplacianHC, a step
-/// a pass, with the constants that it has built in: beta = 0.5 and alpha = 0, as it looks back to the previous step
-/// only. These are Table 1's.
+/// Table 1's alpha and beta.
+constexpr double hc_alpha = 0;
+constexpr double hc_beta = 0.5;
+
+/// Improved Laplacian smoothing, the HC algorithm: Vollmer, Mencl, Mueller, "Improved Laplacian Smoothing of Noisy
+/// Surface Meshes", 1999; a step a pass. With o_i the original places, q_i those before the step and adj(i) the
+/// neighbours of vertex i:
 ///
-/// vcglib differs from the article. With b_j the way from v_j to the mean of its neighbours, the article moves v_i by
-/// b_i - (beta b_i + (1 - beta) mean b_j); vcglib adds the second mean where the article subtracts it, so its step is
-/// (1 - beta) (b_i + mean b_j): nothing is pushed back, and it shrinks about as Laplacian smoothing does.
+///     p_i := mean of q_j over adj(i)                         the Laplacian step
+///     b_i := p_i - (alpha o_i + (1 - alpha) q_i)             how far it went
+///     p_i := p_i - (beta b_i + (1 - beta) mean of b_j)       pushed back by the mean of that
+///
+/// Vertices that may not move have b_j = 0, as they went nowhere.
+///
+/// Where the code differs: the article is silent about borders; here the neighbours of a border vertex are those along
+/// the border, as for Laplacian and Taubin's smoothing, so that a free border is not drawn inwards.
 FilterPass make_hc_pass();
 
 }  // namespace vcg_core::detail

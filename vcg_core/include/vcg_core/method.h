@@ -15,7 +15,8 @@ enum class Method {
   bmd,        ///< bilateral mesh denoising: Fleishman, Drori, Cohen-Or 2003; section 3
   jones,      ///< non-iterative, feature-preserving mesh smoothing: Jones, Durand, Desbrun 2003
   laplacian,  ///< vcglib's Laplacian smoothing
-  hc,         ///< vcglib's improved Laplacian smoothing: Vollmer, Mencl, Mueller 1999
+  hc,         ///< improved Laplacian smoothing: Vollmer, Mencl, Mueller 1999
+  hc_vcglib,  ///< what vcglib has by that name, with a sign unlike the article's
   taubin,     ///< vcglib's Taubin smoothing: Taubin 1995
   guided      ///< guided anisotropic smoothing: this project's own, beyond the paper; docs/guided.md
 };
