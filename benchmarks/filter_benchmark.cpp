@@ -42,7 +42,7 @@ void lanes(benchmark::State& state) {
   for (auto _ : state) {
     LanePass pass(kernel);  // a new one each time: grouping is part of the filter
     benchmark::DoNotOptimize(
-        pass.run({arrays.mesh, arrays.mesh.position, arrays.normal, arrays.movable, parameters, 0, job}));
+        pass.run({arrays.mesh, arrays.mesh.position, arrays.normal, arrays.movable, parameters, job}));
   }
   state.SetLabel(kernel.name);
   count(state, bench::count_pairs(arrays, rho));
@@ -56,7 +56,7 @@ void second_pass(benchmark::State& state) {
   const SmoothingParameters parameters = parameters_for(rho);
   Job job = bench::single_thread();
   LanePass pass;
-  const PassInput input{arrays.mesh, arrays.mesh.position, arrays.normal, arrays.movable, parameters, 0, job};
+  const PassInput input{arrays.mesh, arrays.mesh.position, arrays.normal, arrays.movable, parameters, job};
   pass.run(input);
   for (auto _ : state) benchmark::DoNotOptimize(pass.run(input));
   count(state, bench::count_pairs(arrays, rho));

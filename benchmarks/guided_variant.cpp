@@ -81,7 +81,7 @@ void run(int argc, char** argv) {
   for (std::size_t v = 0; v < mesh.size(); ++v)
     movable[v] = mesh.topology.star_begin[v] < mesh.topology.star_begin[v + 1];
   const Array<Vec3> no_normals;
-  const PassOutput output = guided_pass({mesh, mesh.position, no_normals, movable, parameters, 0, job}, settings);
+  const PassOutput output = guided_pass({mesh, mesh.position, no_normals, movable, parameters, job}, settings);
   vcg_core::SmoothingReport report;
   commit_positions(mesh, output.position, file.mesh, report);
   mesh_tools::write_mesh(file, argv[2]);

@@ -8,7 +8,7 @@
 
 namespace meshlab_plugin {
 
-/// What a filter may do to its host while it runs.
+/// What a filter may ask of MeshLab while it runs.
 struct Session {
   vcg_core::Progress progress;
   std::function<void(const std::string& line)> log;
@@ -36,7 +36,8 @@ class Filter {
 
   /// Parameters with their defaults; `mesh` may be null.
   virtual RichParameterList parameters(const MeshModel* mesh) const = 0;
-  /// Changes `mesh`, or throws std::exception with a sentence for the user and the mesh untouched.
+  /// Changes `mesh`, or throws std::exception with a sentence for the user and the mesh untouched. Nothing is thrown
+  /// once the mesh has changed: what is left to say is then left out.
   virtual Report apply(MeshModel& mesh, const RichParameterList& values, const Session& session) const = 0;
 };
 

@@ -83,7 +83,6 @@ Report GeodesicDistance::apply(MeshModel& mesh, const RichParameterList& values,
   const std::vector<double> distance =
       vcg_core::geodesic_distances(mesh.cm, read_start_vertex(mesh, values), session.progress);
   const std::vector<vcg_core::Rgb> colors = vcg_core::distance_colors(mesh.cm, distance, isolines);
-  write(distance, colors, mesh);
 
   double largest = 0;
   std::size_t vertices = 0;
@@ -100,14 +99,16 @@ Report GeodesicDistance::apply(MeshModel& mesh, const RichParameterList& values,
   std::ostringstream line;
   line << "largest distance " << largest << " (in the mesh's unit); reached " << vertices - unreachable << " of "
        << vertices << " vertices";
+  Report report{{"max_distance", largest},
+                {"vertices", static_cast<int>(vertices)},
+                {"unreachable_vertices", static_cast<int>(unreachable)}};
   session.log(line.str());
   if (unreachable > 0) {
     session.log("Warning: " + std::to_string(unreachable) +
                 " vertices are not connected to the start vertex; their quality is -1 and they are grey");
   }
-  return {{"max_distance", largest},
-          {"vertices", static_cast<int>(vertices)},
-          {"unreachable_vertices", static_cast<int>(unreachable)}};
+  write(distance, colors, mesh);  // last: nothing can fail once the mesh has changed
+  return report;
 }
 
 }  // namespace meshlab_plugin

@@ -45,6 +45,9 @@ using ActionPointer = QAction*;
 #define ANISO_PYTHON_NAME_OVERRIDE
 #endif
 
+/// What a real number of a parameter list is: single precision, but in MeshLabs since 2021 that were built for double.
+using ParameterNumber = decltype(std::declval<const RichParameterList&>().getFloat(QString()));
+
 /// MeshLab's own update after coordinates have changed; its name was capitalised in old versions.
 template <class Model>
 auto update_box_and_normals(Model& model, int) -> decltype(model.updateBoxAndNormals()) {
@@ -69,6 +72,8 @@ class HostAdapter : public QObject, public HostInterface {
   virtual int changes_with(const QAction* action, const RichParameterList& values) const = 0;
   virtual void write_log(const std::string& line) = 0;
   virtual QString error_text(const std::exception& error) const = 0;
+  /// For what is thrown and is no std::exception.
+  static QString unknown_error() { return QStringLiteral("unknown error"); }
 
 #if ANISO_MESHLAB_SINCE_2021
   /// MeshLab refuses a plugin of another version or precision than its own.
@@ -86,11 +91,14 @@ class HostAdapter : public QObject, public HostInterface {
   Report applyFilter(const QAction* action, const RichParameterList& values, MeshDocument& document,
                      unsigned int& changed, vcg::CallBackPos* callback) override {
     try {
+      const int parts = changes_with(action, values);  // first: once the mesh has changed, nothing may fail
       Report report = run(action, values, document.mm(), callback);
-      changed = static_cast<unsigned int>(changes_with(action, values));
+      changed = static_cast<unsigned int>(parts);
       return report;
     } catch (const std::exception& error) {
       throw MLException(error_text(error));
+    } catch (...) {
+      throw MLException(unknown_error());
     }
   }
 
@@ -114,7 +122,7 @@ class HostAdapter : public QObject, public HostInterface {
     } catch (const std::exception& error) {
       errorMessage = error_text(error);
     } catch (...) {
-      errorMessage = QStringLiteral("unknown error");
+      errorMessage = unknown_error();
     }
     write_log("Error: " + errorMessage.toStdString());
     return false;

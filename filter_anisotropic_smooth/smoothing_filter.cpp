@@ -1,6 +1,7 @@
 #include "smoothing_filter.h"
 
 #include <cmath>
+#include <new>
 #include <sstream>
 
 namespace meshlab_plugin {
@@ -65,12 +66,18 @@ void clear_undefined_normals(Elements& elements) {
 }  // namespace
 
 Report SmoothingFilter::apply(MeshModel& mesh, const RichParameterList& values, const Session& session) const {
-  const SmoothingReport report = vcg_core::smooth(mesh.cm, method_, read_values(knobs_, values), session.progress);
+  const vcg_core::SmoothingParameters parameters = read_values(knobs_, values, vcg_core::method_info(method_).defaults);
+  const SmoothingReport report = vcg_core::smooth(mesh.cm, method_, parameters, session.progress);
   update_box_and_normals(mesh, 0);
   clear_undefined_normals(mesh.cm.vert);
   clear_undefined_normals(mesh.cm.face);
-  log_report(report, session);
-  return to_map(report);
+  // The mesh has changed. Without memory for words the filter has still done its work, and must not say otherwise.
+  try {
+    log_report(report, session);
+    return to_map(report);
+  } catch (const std::bad_alloc&) {
+    return {};
+  }
 }
 
 }  // namespace meshlab_plugin

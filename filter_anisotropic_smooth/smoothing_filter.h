@@ -14,7 +14,9 @@ class SmoothingFilter : public Filter {
 
   int categories() const override { return HostInterface::Smoothing; }
   int changes() const override { return MeshModel::MM_VERTCOORD | MeshModel::MM_VERTNORMAL | MeshModel::MM_FACENORMAL; }
-  RichParameterList parameters(const MeshModel* mesh) const override { return to_list(knobs_, mesh); }
+  RichParameterList parameters(const MeshModel* mesh) const override {
+    return to_list(knobs_, vcg_core::method_info(method_).defaults, mesh);
+  }
   Report apply(MeshModel& mesh, const RichParameterList& values, const Session& session) const override;
 
  private:

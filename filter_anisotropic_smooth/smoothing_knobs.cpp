@@ -13,40 +13,35 @@ namespace {
 using vcg_core::SmoothingParameters;
 
 template <double SmoothingParameters::*member>
-void add_number(const Knob& knob, const MeshModel* /*mesh*/, RichParameterList& list) {
-  list.addParam(RichFloat(knob.name, static_cast<float>(SmoothingParameters{}.*member), knob.label, knob.tooltip));
+void add_number(const Knob& knob, const SmoothingParameters& defaults, const MeshModel* /*mesh*/,
+                RichParameterList& list) {
+  const auto value = static_cast<ParameterNumber>(defaults.*member);
+  list.addParam(RichFloat(knob.name, value, knob.label, knob.tooltip));
 }
 
 template <double SmoothingParameters::*member>
 void read_number(const Knob& knob, const RichParameterList& values, SmoothingParameters& parameters) {
-  parameters.*member = as_typed(static_cast<float>(values.getFloat(knob.name)));
+  parameters.*member = as_typed(values.getFloat(knob.name));
 }
 
-void add_iterations(const Knob& knob, const MeshModel* /*mesh*/, RichParameterList& list) {
-  list.addParam(RichInt(knob.name, SmoothingParameters{}.iterations, knob.label, knob.tooltip));
+void add_iterations(const Knob& knob, const SmoothingParameters& defaults, const MeshModel* /*mesh*/,
+                    RichParameterList& list) {
+  list.addParam(RichInt(knob.name, defaults.iterations, knob.label, knob.tooltip));
 }
 
 void read_iterations(const Knob& knob, const RichParameterList& values, SmoothingParameters& parameters) {
   parameters.iterations = values.getInt(knob.name);
 }
 
-void add_boundary(const Knob& knob, const MeshModel* /*mesh*/, RichParameterList& list) {
+void add_boundary(const Knob& knob, const SmoothingParameters& defaults, const MeshModel* /*mesh*/,
+                  RichParameterList& list) {
   const QStringList choices{QStringLiteral("fixed"), QStringLiteral("free")};
-  list.addParam(
-      RichEnum(knob.name, static_cast<int>(SmoothingParameters{}.boundary), choices, knob.label, knob.tooltip));
+  list.addParam(RichEnum(knob.name, static_cast<int>(defaults.boundary), choices, knob.label, knob.tooltip));
 }
 
-void add_rounds(const Knob& knob, const MeshModel* /*mesh*/, RichParameterList& list) {
-  list.addParam(RichInt(knob.name, 0, knob.label, knob.tooltip));
-}
-
-void add_boundary_of_guided(const Knob& knob, const MeshModel* /*mesh*/, RichParameterList& list) {
-  const QStringList choices{QStringLiteral("fixed"), QStringLiteral("free")};
-  list.addParam(RichEnum(knob.name, static_cast<int>(vcg_core::Boundary::free), choices, knob.label, knob.tooltip));
-}
-
-void add_smooth_color(const Knob& knob, const MeshModel* /*mesh*/, RichParameterList& list) {
-  list.addParam(RichBool(knob.name, false, knob.label, knob.tooltip));
+void add_smooth_color(const Knob& knob, const SmoothingParameters& defaults, const MeshModel* /*mesh*/,
+                      RichParameterList& list) {
+  list.addParam(RichBool(knob.name, defaults.smooth_color, knob.label, knob.tooltip));
 }
 
 void read_smooth_color(const Knob& knob, const RichParameterList& values, SmoothingParameters& parameters) {
@@ -73,7 +68,8 @@ bool has_selection(const MeshModel* mesh) {
   return false;
 }
 
-void add_selected(const Knob& knob, const MeshModel* mesh, RichParameterList& list) {
+void add_selected(const Knob& knob, const SmoothingParameters& /*defaults*/, const MeshModel* mesh,
+                  RichParameterList& list) {
   list.addParam(RichBool(knob.name, has_selection(mesh), knob.label, knob.tooltip));
 }
 
@@ -140,12 +136,12 @@ const Knob feature_angle{"feature_angle", "Feature angle, in degrees",
 const Knob rounds{"iterations", "Coarse rounds (0: automatic)",
                   "How often the normals are filtered by their guides. 0: 2 to 12, by the noise. Higher: stronger noise"
                   " goes, and time grows with it. 0 or more.",
-                  add_rounds, read_iterations};
+                  add_iterations, read_iterations};
 
 const Knob boundary_of_guided{"boundary", "Border vertices",
                               "free: vertices of border edges (edges with one face) lose their noise like all others;"
                               " borders are not drawn inwards. fixed: they stay where they are.",
-                              add_boundary_of_guided, read_boundary};
+                              add_boundary, read_boundary};
 
 const Knob smooth_color{"smooth_color", "Smooth colour and quality too",
                         "On: the vertices' colour and quality are smoothed as well, without bleeding over edges. Off:"
@@ -154,14 +150,13 @@ const Knob smooth_color{"smooth_color", "Smooth colour and quality too",
 
 }  // namespace knobs
 
-RichParameterList to_list(const Knobs& knobs, const MeshModel* mesh) {
+RichParameterList to_list(const Knobs& knobs, const SmoothingParameters& defaults, const MeshModel* mesh) {
   RichParameterList list;
-  for (const Knob* knob : knobs) knob->add(*knob, mesh, list);
+  for (const Knob* knob : knobs) knob->add(*knob, defaults, mesh, list);
   return list;
 }
 
-SmoothingParameters read_values(const Knobs& knobs, const RichParameterList& values) {
-  SmoothingParameters parameters;
+SmoothingParameters read_values(const Knobs& knobs, const RichParameterList& values, SmoothingParameters parameters) {
   for (const Knob* knob : knobs) knob->read(*knob, values, parameters);
   return parameters;
 }

@@ -2,6 +2,7 @@
 
 #include <vcg_core/detail/job.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <stdexcept>
@@ -141,10 +142,33 @@ TEST_P(ParallelLoop, StopsOnAllThreadsWhenCancelled) {
 
 INSTANTIATE_TEST_SUITE_P(Threads, ParallelLoop, testing::Values(1, 2, 3, 8), testing::PrintToStringParamName());
 
-TEST(Job, UsesOneThreadForEachProcessorByDefault) {
+TEST(Job, UsesAsManyThreadsAsAskedAndOneForEachProcessorByDefault) {
   const vcg_core::Progress progress;
-  EXPECT_GE(Job(progress, 0).threads(), 1);
-  EXPECT_EQ(Job(progress, 5).threads(), 5);
+  const auto bodies = [&](int threads) {
+    Job job(progress, threads);
+    std::atomic<unsigned> count{0};
+    job.parallel(1000, 1, [&](Chunks& chunks) {
+      ++count;
+      while (chunks.next()) {
+      }
+    });
+    return count.load();
+  };
+  EXPECT_EQ(bodies(5), 5u);
+  EXPECT_EQ(bodies(0), std::max(1u, std::thread::hardware_concurrency()));
+}
+
+TEST(Job, SerialLoopsVisitEveryIndexInOrderAndPoll) {
+  for (const std::size_t count : {0, 1, 65535, 65536, 65537, 300000}) {
+    std::size_t polls = 0;
+    const vcg_core::Progress progress = [&](double, const char*) { return ++polls > 0; };
+    static std::chrono::steady_clock::time_point now;
+    Job job(progress, 1, [] { return now += std::chrono::seconds(1); });
+    std::size_t next = 0;
+    job.serial(count, [&](std::size_t i) { next += i == next ? 1 : 0; });
+    EXPECT_EQ(next, count);
+    EXPECT_EQ(polls, (count + 65535) / 65536);
+  }
 }
 
 }  // namespace

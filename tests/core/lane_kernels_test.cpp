@@ -47,7 +47,7 @@ class Prepared {
   double unit() const { return arrays_.topology.average_edge_length; }
 
   Array<Vec3> run(const LaneKernel& kernel, const SmoothingParameters& parameters) {
-    return LanePass(kernel).run({arrays_, arrays_.position, normal_, movable_, parameters, 0, job_});
+    return LanePass(kernel).run({arrays_, arrays_.position, normal_, movable_, parameters, job_});
   }
 
  private:
@@ -213,7 +213,7 @@ TEST_P(LaneKernels, PollInsideALargePatch) {
   EXPECT_GE(polls, patch.rows / 4096);
 }
 
-// The same of the scalar march, by which distances from one vertex are found as well.
+// The scalar march, which also finds the distances from one vertex, polls as often.
 TEST(GeodesicMarch, PollsInsideALargeNeighborhood) {
   Prepared mesh(grid(142));
   const auto frames = triangle_frames(mesh.arrays(), mesh.arrays().position, mesh.unit(), mesh.job());

@@ -9,6 +9,8 @@
 #include <map>
 #include <random>
 #include <set>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -106,6 +108,45 @@ TEST(ReadMesh, EdgesOfASoupOfFacesAreCountedOnceEach) {
     for (std::size_t i = 0; i < arrays.size(); ++i)
       EXPECT_EQ(arrays.topology.border[i] != 0, on_border.count(arrays.host_vertex[i]) == 1);
   }
+}
+
+/// Says that it is as large as is wished, and must not be looked into.
+template <class Element>
+struct Claim {
+  std::size_t claimed;
+  std::size_t size() const { return claimed; }
+  const Element* data() const { return nullptr; }
+  const Element& operator[](std::size_t) const { throw std::logic_error("no element was to be read"); }
+};
+
+struct HugeMesh {
+  Claim<DoubleMesh::VertexType> vert;
+  Claim<DoubleMesh::FaceType> face;
+  int vn = 1;
+  int fn = 1;
+};
+
+std::string refusal(std::size_t vertices, std::size_t faces) {
+  const vcg_core::Progress no_progress;
+  Job job(no_progress, 1);
+  try {
+    vcg_core::detail::read_mesh(HugeMesh{{vertices}, {faces}}, job);
+  } catch (const vcg_core::InvalidMesh& error) {
+    return error.what();
+  } catch (const std::logic_error&) {
+    return "";
+  }
+  return "nothing thrown";
+}
+
+// 3 * face + 2 has to be less than 2^32 - 1, which stands for no corner: 1,431,655,765 faces give 4,294,967,294.
+TEST(ReadMesh, TooManyVerticesOrFacesAreRefused) {
+  const std::size_t most = 1431655765;
+  EXPECT_EQ(3 * (most - 1) + 2, 4294967294u);
+  EXPECT_NE(refusal(3, most + 1).find("has 1431655766 faces; at most 1431655765"), std::string::npos);
+  EXPECT_NE(refusal(most + 1, 1).find("has 1431655766 vertices; at most 1431655765"), std::string::npos);
+  EXPECT_NE(refusal(3, std::size_t(1) << 32).find("has 4294967296 faces"), std::string::npos);
+  EXPECT_NO_THROW(vcg_core::detail::require_countable(most, most));
 }
 
 TEST(ReadMesh, PowersOfTwoBeyondTheRangeOfDoubleAreTakenInTwoSteps) {

@@ -9,14 +9,27 @@
 #include <gtest/gtest.h>
 
 #include <mesh_tools/random.h>
+#include <vcg_core/detail/job.h>
 
 namespace {
 
 using vcg_core::detail::Array;
-using vcg_core::detail::count_coincident;
 using vcg_core::detail::Index;
-using vcg_core::detail::morton_order;
+using vcg_core::detail::Job;
+using vcg_core::detail::SpatialOrder;
 using vcg_core::detail::Vec3;
+
+const vcg_core::Progress no_progress;
+
+SpatialOrder morton_order(const Array<Vec3>& points) {
+  Job job(no_progress, 1);
+  return vcg_core::detail::morton_order(points, job);
+}
+
+std::size_t count_coincident(const Array<Vec3>& points, const SpatialOrder& order) {
+  Job job(no_progress, 1);
+  return vcg_core::detail::count_coincident(points, order, job);
+}
 
 /// Points of a coarse lattice, so that many fall together.
 Array<Vec3> lattice_points(std::size_t count, double cells, double scale) {

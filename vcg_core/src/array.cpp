@@ -8,7 +8,7 @@ namespace vcg_core::detail {
 
 namespace {
 
-/// From two large pages on at least one lies inside, wherever the block begins.
+/// Two large pages of 2 MiB: a block of that size holds a whole one, wherever it begins.
 constexpr std::size_t large = std::size_t(4) << 20;
 constexpr std::align_val_t page{4096};
 

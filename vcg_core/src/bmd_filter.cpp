@@ -9,11 +9,12 @@ namespace vcg_core::detail {
 
 namespace {
 
-Array<Index> vertices_with_faces(const MeshArrays& mesh) {
+Array<Index> vertices_with_faces(const MeshArrays& mesh, Job& job) {
   Array<Index> vertices;
   vertices.reserve(mesh.size());
-  for (Index v = 0; v < mesh.size(); ++v)
-    if (mesh.topology.star_begin[v] != mesh.topology.star_begin[v + 1]) vertices.push_back(v);
+  job.serial(mesh.size(), [&](std::size_t v) {
+    if (mesh.topology.star_begin[v] != mesh.topology.star_begin[v + 1]) vertices.push_back(static_cast<Index>(v));
+  });
   return vertices;
 }
 
@@ -38,7 +39,7 @@ PassOutput bmd_pass(const PassInput& in) {
   const double unit = in.mesh.topology.average_edge_length;
   const SmoothingParameters& p = in.parameters;
   const GaussianWeights weights(p.sigma_c, p.sigma_s, p.sigma_n, p.gaussian);
-  const PointGrid grid(in.position, vertices_with_faces(in.mesh), p.rho * p.sigma_c * unit);
+  const PointGrid grid(in.position, vertices_with_faces(in.mesh, in.job), p.rho * p.sigma_c * unit, &in.job);
   in.job.report(0.0);
   PassOutput out{in.position};
   in.job.parallel(in.mesh.size(), 256, [&](Chunks& chunks) {

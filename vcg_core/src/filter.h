@@ -21,7 +21,6 @@ struct PassInput {
   const Array<Vec3>& normal;           ///< their unit normals, zero where undefined; empty if not asked for
   const Array<std::uint8_t>& movable;  ///< whether each vertex may move; never one without faces
   const SmoothingParameters& parameters;
-  int pass;  ///< counts from 0 to parameters.iterations - 1
   Job& job;  ///< its stage is begun; for threads and progress
 };
 

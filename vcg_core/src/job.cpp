@@ -1,6 +1,8 @@
 #include <vcg_core/detail/job.h>
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
 #include <mutex>
 #include <new>
 #include <system_error>
@@ -66,7 +68,7 @@ void Chunks::poll() {
   shared_.job.report(static_cast<double>(taken) / static_cast<double>(shared_.chunk_count()));
 }
 
-Job::Job(const Progress& progress, int threads) : progress_(progress), threads_(threads) {
+Job::Job(const Progress& progress, int threads, Clock now) : progress_(progress), threads_(threads), now_(now) {
   if (threads_ <= 0) threads_ = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 
@@ -78,14 +80,14 @@ void Job::begin_stage(const char* name, double end_fraction) {
   if (first) call(0.0);
 }
 
+bool Job::is_due() const { return progress_ && now_() - last_call_ >= between_calls; }
+
 void Job::report(double stage_fraction) {
-  if (!progress_ || std::chrono::steady_clock::now() - last_call_ < between_calls) return;
-  call(stage_begin_ + (stage_end_ - stage_begin_) * stage_fraction);
+  if (is_due()) call(stage_begin_ + (stage_end_ - stage_begin_) * stage_fraction);
 }
 
 void Job::poll() {
-  if (!progress_ || std::chrono::steady_clock::now() - last_call_ < between_calls) return;
-  call(last_fraction_);
+  if (is_due()) call(last_fraction_);
 }
 
 void Job::finish() { call(1.0); }
@@ -94,7 +96,7 @@ void Job::call(double fraction) {
   if (!progress_) return;
   last_fraction_ = std::clamp(fraction, last_fraction_, 1.0);
   if (!progress_(last_fraction_, stage_)) throw Cancelled();
-  last_call_ = std::chrono::steady_clock::now();
+  last_call_ = now_();
 }
 
 void Job::parallel(std::size_t count, std::size_t grain, Loop loop, const std::function<void(Chunks&)>& body) {

@@ -38,10 +38,12 @@ FaceMeans face_means(const MeshArrays& mesh, const Array<Vec3>& position, Job& j
   return means;
 }
 
-Array<Index> faces_with_area(const FaceMeans& means) {
+Array<Index> faces_with_area(const FaceMeans& means, Job& job) {
   Array<Index> faces;
-  for (Index f = 0; f < means.area.size(); ++f)
-    if (means.area[f] > 0) faces.push_back(f);
+  faces.reserve(means.area.size());
+  job.serial(means.area.size(), [&](std::size_t f) {
+    if (means.area[f] > 0) faces.push_back(static_cast<Index>(f));
+  });
   return faces;
 }
 
@@ -53,7 +55,7 @@ double exponent(double squared_argument, double sigma) { return -squared_argumen
 Array<Vec3> mollified_positions(const PassInput& in, const FaceMeans& means, const Array<Index>& faces) {
   const double unit = in.mesh.topology.average_edge_length;
   const double sigma = in.parameters.sigma_c / 2;
-  const PointGrid grid(means.centroid, faces, in.parameters.rho * sigma * unit);
+  const PointGrid grid(means.centroid, faces, in.parameters.rho * sigma * unit, &in.job);
   in.job.poll();
   Array<Vec3> mollified = in.position;
   in.job.parallel(in.mesh.size(), 256, Loop::minor, [&](Chunks& chunks) {
@@ -95,11 +97,11 @@ PassOutput jones_pass(const PassInput& in) {
   const double sigma_c = in.parameters.sigma_c;
   const double sigma_s = in.parameters.sigma_s;
   const FaceMeans means = face_means(in.mesh, in.position, in.job);
-  const Array<Index> faces = faces_with_area(means);
+  const Array<Index> faces = faces_with_area(means, in.job);
   const Array<Vec3> normal = face_normals(in.mesh, mollified_positions(in, means, faces), in.job);
 
   in.job.poll();
-  const PointGrid grid(means.centroid, faces, in.parameters.rho * sigma_c * unit);
+  const PointGrid grid(means.centroid, faces, in.parameters.rho * sigma_c * unit, &in.job);
   in.job.poll();
   PassOutput out{in.position};
   std::atomic<std::size_t> empty{0};
@@ -110,7 +112,7 @@ PassOutput jones_pass(const PassInput& in) {
         if (!in.movable[i]) continue;
         chunks.poll();
         const Vec3& p = in.position[i];
-        Vec3 sum = Vec3::Zero();  // of the ways from p to its predictions, in |e|
+        Vec3 sum = Vec3::Zero();  // of the offsets from p to its predictions, in |e|
         double sum_of_weights = 0;
         ball.for_each_near(p, [&](Index q, const Vec3& centroid) {
           if (normal[q].isZero(0)) return;

@@ -1,7 +1,6 @@
 #include "mesh_topology.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include <Eigen/Geometry>
 
@@ -16,21 +15,21 @@ namespace {
 
 bool has_repeated_vertex(const std::array<Index, 3>& f) { return f[0] == f[1] || f[1] == f[2] || f[2] == f[0]; }
 
-void find_stars(const RawMesh& mesh, MeshTopology& topology) {
+void find_stars(const RawMesh& mesh, MeshTopology& topology, Job& job) {
   topology.star_begin.assign(mesh.position.size() + 2, 0);
   // Counts go two places up: the fill below moves each offset to its final place as it goes.
   Index* const count = topology.star_begin.data() + 2;
-  for (const auto& face : mesh.face) {
-    if (has_repeated_vertex(face)) continue;
-    for (const Index v : face) ++count[v];
-  }
-  std::partial_sum(topology.star_begin.begin(), topology.star_begin.end(), topology.star_begin.begin());
+  job.serial(mesh.face.size(), [&](std::size_t f) {
+    if (has_repeated_vertex(mesh.face[f])) return;
+    for (const Index v : mesh.face[f]) ++count[v];
+  });
+  job.serial(mesh.position.size(), [&](std::size_t v) { topology.star_begin[v + 2] += topology.star_begin[v + 1]; });
   topology.star.resize(3 * mesh.face.size());
   Index* const end_of = topology.star_begin.data() + 1;
-  for (std::size_t f = 0; f < mesh.face.size(); ++f) {
-    if (has_repeated_vertex(mesh.face[f])) continue;
+  job.serial(mesh.face.size(), [&](std::size_t f) {
+    if (has_repeated_vertex(mesh.face[f])) return;
     for (Index k = 0; k < 3; ++k) topology.star[end_of[mesh.face[f][k]]++] = static_cast<Index>(3 * f + k);
-  }
+  });
   topology.star_begin.pop_back();
   topology.star.resize(topology.star_begin.back());
 }
@@ -68,7 +67,7 @@ class EdgeVisitor {
  private:
   static constexpr std::size_t few = 16;
 
-  /// Counts the faces at each edge by comparing all ends with all: without branches, which are hard to foretell here.
+  /// Counts the faces at each edge by comparing all ends with all: without branches, which are unpredictable here.
   std::uint8_t count_few(Index v) {
     const std::size_t n = ends_.size();
     ends_.resize(few, v);  // no end of an edge of v
@@ -117,7 +116,7 @@ MeshTopology find_topology(const RawMesh& mesh, Job& job) {
   constexpr std::size_t grain = 8192;
   const std::size_t n = mesh.position.size();
   MeshTopology topology;
-  find_stars(mesh, topology);
+  find_stars(mesh, topology, job);
   job.report(0.6);
 
   Array<std::uint8_t> kind(n, 0);
@@ -137,12 +136,12 @@ MeshTopology find_topology(const RawMesh& mesh, Job& job) {
   topology.average_edge_length = all.length / static_cast<double>(all.edges);
 
   topology.border.resize(n);
-  for (std::size_t v = 0; v < n; ++v) {
+  job.serial(n, [&](std::size_t v) {
     topology.border[v] = (kind[v] & on_border) != 0;
     topology.border_vertices += topology.border[v];
     topology.non_manifold_vertices += (kind[v] & non_manifold) != 0;
-  }
-  for (const auto& face : mesh.face) topology.degenerate_faces += is_degenerate(mesh, face);
+  });
+  job.serial(mesh.face.size(), [&](std::size_t f) { topology.degenerate_faces += is_degenerate(mesh, mesh.face[f]); });
   return topology;
 }
 

@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include <vcg_core/detail/job.h>
+
 #include "radix_sort.h"
 
 namespace vcg_core::detail {
@@ -19,13 +21,18 @@ constexpr std::int64_t most_cells = std::int64_t(1) << most_bits_per_axis;
 
 }  // namespace
 
-PointGrid::PointGrid(const Array<Vec3>& position, const Array<Index>& points, double radius)
+PointGrid::PointGrid(const Array<Vec3>& position, const Array<Index>& points, double radius, Job* job)
     : squared_radius_(std::max(radius * radius, smallest)),
       key_(points.size()),
       index_(points),
       position_(points.size()) {
+  const auto poll = [job] {
+    if (job != nullptr) job->poll();
+  };
   Eigen::AlignedBox3d box;
+  poll();
   for (const Index i : points) box.extend(position[i]);
+  poll();
   origin_ = points.empty() ? Vec3(Vec3::Zero()) : Vec3(box.min());
   const double extent = points.empty() ? 0.0 : box.sizes().maxCoeff();
   // A little wider than the radius, against rounding; and never so small that the cells cannot be numbered.
@@ -38,7 +45,8 @@ PointGrid::PointGrid(const Array<Vec3>& position, const Array<Index>& points, do
     const auto cell = cell_of(position[points[k]]);
     key_[k] = key_of(cell[0], cell[1], cell[2]);
   }
-  radix_sort(key_, index_, 3 * bits_per_axis_);
+  poll();
+  radix_sort(key_, index_, 3 * bits_per_axis_, job);
   for (std::size_t k = 0; k < index_.size(); ++k) position_[k] = position[index_[k]];
 }
 

@@ -14,7 +14,8 @@ class PointGrid {
  public:
   /// @param points  indices into `position` of the points to find
   /// @param radius  > 0, in units of `position`
-  PointGrid(const Array<Vec3>& position, const Array<Index>& points, double radius);
+  /// @param job     polled, if there is one
+  PointGrid(const Array<Vec3>& position, const Array<Index>& points, double radius, Job* job = nullptr);
 
   /// One thread's searches. Places near the one before cost less: the cells around it are remembered.
   class Search {

@@ -15,18 +15,18 @@ namespace vcg_core::detail {
 namespace {
 
 /// Which vertices may move; counts why the others may not.
-Array<std::uint8_t> find_movable(const MeshArrays& mesh, const SmoothingParameters& parameters,
-                                 SmoothingReport& report) {
+Array<std::uint8_t> find_movable(const MeshArrays& mesh, const SmoothingParameters& parameters, SmoothingReport& report,
+                                 Job& job) {
   const MeshTopology& topology = mesh.topology;
   Array<std::uint8_t> movable(mesh.size());
-  for (std::size_t i = 0; i < mesh.size(); ++i) {
+  job.serial(mesh.size(), [&](std::size_t i) {
     const bool held = (parameters.boundary == Boundary::fixed && topology.border[i]) ||
                       (parameters.selected_only && !mesh.selected[i]);
     const bool isolated = topology.star_begin[i] == topology.star_begin[i + 1];
     report.fixed_vertices += held;
     report.skipped_vertices.isolated += !held && isolated;
     movable[i] = !held && !isolated;
-  }
+  });
   return movable;
 }
 
@@ -45,9 +45,9 @@ void describe_mesh(const MeshArrays& mesh, const MethodInfo& method, const Smoot
 }
 
 void count_undefined_normals(const MeshArrays& mesh, const Array<Vec3>& normal, const Array<std::uint8_t>& movable,
-                             SmoothingReport& report) {
-  for (std::size_t i = 0; i < mesh.size(); ++i)
-    report.skipped_vertices.undefined_normal += movable[i] && normal[i].isZero(0);
+                             SmoothingReport& report, Job& job) {
+  job.serial(mesh.size(),
+             [&](std::size_t i) { report.skipped_vertices.undefined_normal += movable[i] && normal[i].isZero(0); });
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const Smoot
   const FilterEntry& filter = filter_entry(method);
   SmoothingResult result;
   describe_mesh(mesh, filter.info, parameters, result.report);
-  const Array<std::uint8_t> movable = find_movable(mesh, parameters, result.report);
+  const Array<std::uint8_t> movable = find_movable(mesh, parameters, result.report, job);
 
   const FilterPass run_pass = filter.make_pass();
   result.position = mesh.position;
@@ -70,8 +70,8 @@ SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const Smoot
     job.begin_stage("Smoothing", 0.05 + 0.94 * (pass + 1) / passes);
     Array<Vec3> normal;
     if (filter.needs_normals) normal = vertex_normals(mesh, result.position, job);
-    if (filter.needs_normals && pass == 0) count_undefined_normals(mesh, normal, movable, result.report);
-    PassOutput output = run_pass({mesh, result.position, normal, movable, parameters, pass, job});
+    if (filter.needs_normals && pass == 0) count_undefined_normals(mesh, normal, movable, result.report, job);
+    PassOutput output = run_pass({mesh, result.position, normal, movable, parameters, job});
     if (pass == 0) result.report.skipped_vertices.empty_neighbourhood = output.empty_neighbourhoods;
     result.position = std::move(output.position);
   }
@@ -79,9 +79,12 @@ SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const Smoot
   if (attributes.channels() > 0)
     smooth_attributes(mesh, result.position, movable, guided_settings(parameters), attributes, job);
 
-  const Vec3 apex = box_center(mesh.position);
-  result.report.volume_before = std::ldexp(signed_volume(mesh, mesh.position, apex), -3 * mesh.exponent);
-  result.report.volume_after = std::ldexp(signed_volume(mesh, result.position, apex), -3 * mesh.exponent);
+  const Vec3 apex = bounding_box(mesh.position, job).center();  // the same one before and after
+  const auto volume = [&](const Array<Vec3>& position) {
+    return std::ldexp(signed_volume(mesh, position, apex, job), -3 * mesh.exponent);
+  };
+  result.report.volume_before = volume(mesh.position);
+  result.report.volume_after = volume(result.position);
   return result;
 }
 

@@ -1,12 +1,14 @@
 #include "spatial_order.h"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 #include <Eigen/Geometry>
 
+#include <vcg_core/detail/job.h>
+
 #include "radix_sort.h"
+#include "volume.h"
 
 namespace vcg_core::detail {
 
@@ -24,35 +26,39 @@ std::uint64_t spread(std::uint64_t x) {
   return x;
 }
 
-Array<std::uint64_t> morton_codes(const Array<Vec3>& position) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& p : position) box.extend(p);
+Array<std::uint64_t> morton_codes(const Array<Vec3>& position, Job& job) {
+  const Eigen::AlignedBox3d box = bounding_box(position, job);
   const double extent = position.empty() ? 0.0 : box.sizes().maxCoeff();
   const double cells = (1 << bits_per_axis) - 1;
   const double scale = extent > 0 ? cells / extent : 0.0;
   Array<std::uint64_t> codes(position.size());
-  for (std::size_t i = 0; i < position.size(); ++i) {
+  job.serial(position.size(), [&](std::size_t i) {
     std::uint64_t code = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const double cell = std::min((position[i][axis] - box.min()[axis]) * scale, cells);
       code |= spread(static_cast<std::uint64_t>(cell)) << axis;
     }
     codes[i] = code;
-  }
+  });
   return codes;
 }
 
 }  // namespace
 
-SpatialOrder morton_order(const Array<Vec3>& position) {
-  SpatialOrder result{Array<Index>(position.size()), morton_codes(position)};
-  std::iota(result.order.begin(), result.order.end(), Index(0));
-  radix_sort(result.code, result.order, 3 * bits_per_axis);
+SpatialOrder morton_order(const Array<Vec3>& position, Job& job) {
+  SpatialOrder result{Array<Index>(position.size()), morton_codes(position, job)};
+  job.serial(position.size(), [&](std::size_t i) { result.order[i] = static_cast<Index>(i); });
+  radix_sort(result.code, result.order, 3 * bits_per_axis, &job);
   return result;
 }
 
-std::size_t count_coincident(const Array<Vec3>& position, const SpatialOrder& order) {
+std::size_t count_coincident(const Array<Vec3>& position, const SpatialOrder& order, Job& job) {
+  std::size_t steps = 0;
+  const auto poll = [&] {
+    if (++steps % 65536 == 0) job.poll();
+  };
   const auto less = [&](Index a, Index b) {
+    poll();  // all vertices may lie in one cell
     const Vec3& p = position[a];
     const Vec3& q = position[b];
     return std::tie(p[0], p[1], p[2]) < std::tie(q[0], q[1], q[2]);
@@ -60,6 +66,7 @@ std::size_t count_coincident(const Array<Vec3>& position, const SpatialOrder& or
   std::size_t count = 0;
   Array<Index> same_code;
   for (std::size_t begin = 0, end = 0; begin < order.code.size(); begin = end) {
+    poll();
     while (end < order.code.size() && order.code[end] == order.code[begin]) ++end;
     if (end - begin < 2) continue;
     same_code.assign(order.order.begin() + begin, order.order.begin() + end);

@@ -9,7 +9,7 @@ constexpr float taubin_lambda = 0.6307f;
 constexpr float taubin_mu = -0.6732f;
 
 /// Taubin's signal processing: vcglib's tri::Smooth::VertexCoordTaubin, a lambda step and a mu step a pass. Each moves
-/// a vertex by lambda (or mu) times the way to the mean of its neighbours.
+/// a vertex by lambda (or mu) times its distance from the mean of its neighbours, towards it.
 ///
 /// Where the code differs: vcglib averages border vertices with their neighbours along the border and with themselves.
 /// The second is undone here: along a border that is free the rule is the one above.

@@ -13,8 +13,8 @@
 
 namespace vcg_core::detail {
 
-// A mesh type of our own, in double precision: vcglib's templates over it are nobody else's, so that a host program
-// with compiled copies of vcglib cannot get in the way.
+// A mesh type of our own, in double precision: vcglib's templates over it are nobody else's, so that a program with
+// compiled copies of vcglib, such as MeshLab, cannot interfere.
 class SmoothedVertex;
 class SmoothedFace;
 struct SmoothedTypes : vcg::UsedTypes<vcg::Use<SmoothedVertex>::AsVertexType, vcg::Use<SmoothedFace>::AsFaceType> {};
@@ -22,9 +22,9 @@ class SmoothedVertex : public vcg::Vertex<SmoothedTypes, vcg::vertex::Coord3d, v
 class SmoothedFace : public vcg::Face<SmoothedTypes, vcg::face::VertexRef, vcg::face::BitFlags> {};
 class SmoothedMesh : public vcg::tri::TriMesh<std::vector<SmoothedVertex>, std::vector<SmoothedFace>> {};
 
-/// What vcglib's own smoothers work on, and what keeps their weaknesses away: they divide by zero at vertices without
-/// faces, so those are left out, and so are faces with a repeated vertex; they know no fixed vertices, so the movable
-/// ones are selected and only these are read back.
+/// The mesh that vcglib's own smoothers work on, made so that their weaknesses do no harm: they divide by zero at
+/// vertices without faces, so those are left out, and so are faces with a repeated vertex; they know no fixed vertices,
+/// so the movable ones are selected and only these are read back.
 class VcglibMesh {
  public:
   VcglibMesh(const MeshArrays& arrays, Job& job);
@@ -53,7 +53,7 @@ class VcglibMesh {
   }
 
  private:
-  void find_borders();
+  void find_borders(Job& job);
 
   SmoothedMesh mesh_;
   Array<Index> vertex_;         ///< index in the arrays of each vertex of mesh_

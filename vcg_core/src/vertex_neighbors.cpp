@@ -43,7 +43,7 @@ VertexNeighbors vertex_neighbors(const MeshArrays& mesh, Job& job) {
     });
   };
   for_each_vertex([&](std::size_t v, const Array<Index>& found) { result.begin[v + 1] = found.size(); });
-  for (std::size_t v = 0; v < n; ++v) result.begin[v + 1] += result.begin[v];
+  job.serial(n, [&](std::size_t v) { result.begin[v + 1] += result.begin[v]; });
   result.vertex.resize(result.begin[n]);
   for_each_vertex([&](std::size_t v, const Array<Index>& found) {
     std::copy(found.begin(), found.end(), result.vertex.begin() + static_cast<std::ptrdiff_t>(result.begin[v]));

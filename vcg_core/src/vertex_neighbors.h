@@ -6,8 +6,6 @@
 
 namespace vcg_core::detail {
 
-class Job;
-
 /// The neighbours of vertex v: vertex[begin[v]] to vertex[begin[v + 1] - 1], ascending.
 struct VertexNeighbors {
   Array<std::size_t> begin;  ///< n + 1 offsets into vertex; triangles that share nothing need more than 32 bits

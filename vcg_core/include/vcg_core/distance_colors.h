@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <vcg_core/errors.h>
@@ -86,17 +87,18 @@ inline std::vector<Rgb> distance_colors(const std::vector<double>& distance,
   }
   for (const auto& face : faces) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      std::size_t near = face[corner];
-      std::size_t far = face[(corner + 1) % 3];
-      if (!std::isfinite(distance[near]) || !std::isfinite(distance[far])) continue;
-      if (distance[near] > distance[far]) std::swap(near, far);
-      const double first_line = band(in_steps(near)) + 1;  // the first line beyond `near`, the last one before `far`
-      const double last_line = band(in_steps(far));
+      std::size_t nearer = face[corner];
+      std::size_t farther = face[(corner + 1) % 3];
+      if (!std::isfinite(distance[nearer]) || !std::isfinite(distance[farther])) continue;
+      if (distance[nearer] > distance[farther]) std::swap(nearer, farther);
+      const double first_line =
+          band(in_steps(nearer)) + 1;  // the first line beyond `nearer`, the last one before `farther`
+      const double last_line = band(in_steps(farther));
       if (last_line < first_line) continue;
-      const double before = first_line - in_steps(near);
-      const double behind = in_steps(far) - last_line;
-      if (before <= behind || last_line > first_line) colors[near] = isoline_color;
-      if (behind < before || last_line > first_line) colors[far] = isoline_color;
+      const double before = first_line - in_steps(nearer);
+      const double behind = in_steps(farther) - last_line;
+      if (before <= behind || last_line > first_line) colors[nearer] = isoline_color;
+      if (behind < before || last_line > first_line) colors[farther] = isoline_color;
     }
   }
   return colors;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include <vcg_core/detail/commit_positions.h>
 #include <vcg_core/detail/job.h>
 #include <vcg_core/detail/read_mesh.h>
@@ -32,7 +34,7 @@ SmoothingReport smooth(Mesh& mesh, Method method, const SmoothingParameters& par
   job.finish();  // the last moment to cancel: from here on nothing can fail
   detail::commit_positions(arrays, result.position, mesh, result.report);
   detail::commit_attributes(arrays, attributes, mesh);
-  return result.report;
+  return std::move(result.report);  // a copy could fail, after the mesh has changed
 }
 
 }  // namespace vcg_core

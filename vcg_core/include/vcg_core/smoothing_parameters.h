@@ -39,8 +39,7 @@ struct SmoothingParameters {
   /// Guided method: strength of smoothing, as a multiple of what the mesh's own noise asks for; > 0, at most 10.
   double strength = 1.0;
   /// Guided method: angle between faces, in degrees, from which an edge is kept sharp rather than smoothed; > 0, at
-  /// most
-  /// 90. Noise can hide edges above it and leave some below it.
+  /// most 90. Noise can hide edges above it and leave some below it.
   double feature_angle = 30.0;
   /// Guided method: smooths per-vertex colour and quality as well, where the mesh has them, by weights that keep them
   /// from bleeding over edges.

@@ -7,8 +7,8 @@
 
 namespace vcg_core::detail {
 
-/// Memory for an array. That of a large one is asked of the system in large pages, where it has them: to touch it for
-/// the first time then takes a fraction of the time, and so does looking about in it. Throws std::bad_alloc.
+/// Memory for an array. For a large array the system is asked for large pages, where it has them: the first touch of
+/// such memory takes a fraction of the time, and so does random access to it. Throws std::bad_alloc.
 void* allocate_array(std::size_t bytes);
 void free_array(void* block, std::size_t bytes) noexcept;
 

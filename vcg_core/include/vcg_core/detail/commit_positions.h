@@ -17,7 +17,7 @@ void commit_positions(const MeshArrays& arrays, const Array<Vec3>& position, Mes
   const PowerOfTwo to_host(-arrays.exponent);
   double sum_of_squares = 0;  // in units of `position`: no square over- or underflows there
   double largest_square = 0;
-  // The caller's order is not ours: vertices that are not asked for early are waited for, one by one.
+  // The caller's order is not ours: each vertex would be a cache miss to wait for if it were not fetched ahead of time.
   constexpr std::size_t ahead = 32;
   for (std::size_t i = 0; i < position.size(); ++i) {
     if (i + ahead < position.size()) __builtin_prefetch(&mesh.vert[arrays.host_vertex[i + ahead]].P(), 1);

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <atomic>
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <exception>
 #include <functional>
 
 #include <vcg_core/progress.h>
@@ -12,7 +11,8 @@ namespace vcg_core::detail {
 
 class Job;
 
-/// Whether a parallel loop is what its stage's time goes into. Minor ones poll for cancelling and leave the fraction.
+/// Whether a parallel loop moves the progress of its stage. A minor one lets the caller cancel and leaves the fraction
+/// as it is.
 enum class Loop { main, minor };
 
 /// One thread's view of a parallel loop: hands out chunks [begin, end) of the index range, in no particular order
@@ -44,8 +44,11 @@ class Chunks {
 /// One call of the library: its stages, its progress and its threads.
 class Job {
  public:
+  /// What tells the time; a test may bring its own.
+  using Clock = std::chrono::steady_clock::time_point (*)();
+
   /// @param threads  0: one for each processor
-  explicit Job(const Progress& progress, int threads = 0);
+  explicit Job(const Progress& progress, int threads = 0, Clock now = &std::chrono::steady_clock::now);
 
   /// Starts a stage that ends when `end_fraction` of the whole job is done. Throws Cancelled.
   void begin_stage(const char* name, double end_fraction);
@@ -66,13 +69,25 @@ class Job {
     parallel(count, grain, Loop::main, body);
   }
 
-  int threads() const { return threads_; }
+  /// Calls body(i) for each index below `count`, one after the other on the calling thread, and polls every few
+  /// milliseconds: for what is not worth threads, and yet takes too long to wait for.
+  template <class Body>
+  void serial(std::size_t count, const Body& body) {
+    constexpr std::size_t between_polls = 65536;  // a millisecond or two, where each index misses the cache
+    for (std::size_t begin = 0; begin < count; begin += between_polls) {
+      poll();
+      const std::size_t end = std::min(count, begin + between_polls);
+      for (std::size_t i = begin; i < end; ++i) body(i);
+    }
+  }
 
  private:
+  bool is_due() const;
   void call(double fraction);
 
   const Progress& progress_;
   int threads_;
+  Clock now_;
   const char* stage_ = "";
   double stage_begin_ = 0;
   double stage_end_ = 0;

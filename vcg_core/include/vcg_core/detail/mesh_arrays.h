@@ -52,6 +52,13 @@ inline Index next_in_face(Index corner) { return corner % 3 == 2 ? corner - 2 : 
 inline Index previous_in_face(Index corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
 inline Index vertex_of(const MeshArrays& mesh, Index corner) { return mesh.face[corner / 3][corner % 3]; }
 
+/// Most vertices, and most faces, of a mesh: 3 * face + (0, 1 or 2) has to be an Index, and not the largest one, which
+/// means none.
+constexpr std::size_t most_elements = (std::size_t(1) << 32) / 3;
+
+/// Throws InvalidMesh if a mesh of this size has too many vertices or faces.
+void require_countable(std::size_t vertices, std::size_t faces);
+
 /// Brings a mesh into the library's order and finds its topology. Throws InvalidMesh if no edge has a length.
 MeshArrays make_mesh_arrays(RawMesh raw, Job& job);
 

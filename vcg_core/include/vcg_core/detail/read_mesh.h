@@ -1,7 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
@@ -10,7 +13,8 @@
 #include <vcg_core/detail/mesh_arrays.h>
 #include <vcg_core/errors.h>
 
-// This file and commit_positions.h are the only ones that touch vcglib's types.
+// Four headers know the caller's vcglib mesh: this one, commit_positions.h, vertex_attributes.h and distance_colors.h.
+// All the rest works on plain arrays.
 
 namespace vcg_core::detail {
 
@@ -34,7 +38,6 @@ constexpr Index deleted_vertex = std::numeric_limits<Index>::max();
 template <class Mesh>
 Array<Index> read_vertices(const Mesh& mesh, RawMesh& raw, Job& job) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  if (mesh.vert.size() >= std::numeric_limits<Index>::max() / 3) throw InvalidMesh("the mesh has too many vertices");
   Array<Index> index_of(mesh.vert.size());
   raw.host_vertex_count = mesh.vert.size();
   raw.position.reserve(mesh.vn);
@@ -65,7 +68,7 @@ Array<Index> read_vertices(const Mesh& mesh, RawMesh& raw, Job& job) {
   if (largest > 0) raw.exponent = -std::ilogb(largest);
   if (raw.exponent != 0) {
     const PowerOfTwo scale(raw.exponent);
-    for (Vec3& position : raw.position) position = scale * position;
+    job.serial(raw.position.size(), [&](std::size_t i) { raw.position[i] = scale * raw.position[i]; });
   }
   return index_of;
 }
@@ -93,12 +96,13 @@ void read_faces(const Mesh& mesh, const Array<Index>& index_of, RawMesh& raw, Jo
   }
 }
 
-/// Copies any vcglib triangle mesh. Throws InvalidMesh: no faces, a coordinate that is not finite (with count and
-/// first index), a face that refers to no vertex of the mesh, no edge of any length.
+/// Copies any vcglib triangle mesh. Throws InvalidMesh: no faces, too many vertices or faces, a coordinate that is not
+/// finite (with count and first index), a face that refers to no vertex of the mesh, no edge of any length.
 template <class Mesh>
 MeshArrays read_mesh(const Mesh& mesh, Job& job) {
   job.begin_stage("Reading the mesh", 0.05);
   if (mesh.fn <= 0) throw InvalidMesh("the mesh has no faces; this filter needs a triangle mesh");
+  require_countable(mesh.vert.size(), mesh.face.size());
   RawMesh raw;
   const Array<Index> index_of = read_vertices(mesh, raw, job);
   read_faces(mesh, index_of, raw, job);

@@ -19,7 +19,7 @@ struct SmoothingResult {
 bool smooths_attributes(Method method, const SmoothingParameters& parameters);
 
 /// Runs a smoothing filter on the arrays; the mesh they came from is not touched.
-/// @param attributes  smoothed on the way if there are any
+/// @param attributes  smoothed as well if there are any
 SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const SmoothingParameters& parameters,
                               VertexAttributes& attributes, Job& job);
 

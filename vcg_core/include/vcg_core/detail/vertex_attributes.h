@@ -7,8 +7,6 @@
 
 #include <vcg_core/detail/mesh_arrays.h>
 
-// Beside read_mesh.h and commit_positions.h this file is the third that touches vcglib's types.
-
 namespace vcg_core::detail {
 
 /// Per-vertex colour and quality, one number after the other for each vertex of MeshArrays. Colours in [0, 255].
