@@ -27,7 +27,9 @@ void log_report(const SmoothingReport& report, const Session& session) {
   session.log(vertices.str());
 
   std::ostringstream volume;
-  volume << "volume " << report.volume_before << " before, " << report.volume_after << " after";
+  volume << "volume " << report.volume_before << " before, " << report.volume_after << " after; "
+         << report.flipped_faces << " of " << report.faces << " faces turned over";
+  if (report.bounded_vertices > 0) volume << "; " << report.bounded_vertices << " vertices held back";
   session.log(volume.str());
 
   for (const std::string& sentence : report.warnings()) session.log("Warning: " + sentence);
@@ -50,7 +52,12 @@ Report to_map(const SmoothingReport& report) {
           {"max_displacement", report.max_displacement},
           {"rms_displacement", report.rms_displacement},
           {"volume_before", report.volume_before},
-          {"volume_after", report.volume_after}};
+          {"volume_after", report.volume_after},
+          {"faces", count(report.faces)},
+          {"flipped_faces", count(report.flipped_faces)},
+          {"far_moved_vertices", count(report.far_moved_vertices)},
+          {"beyond_ring_vertices", count(report.beyond_ring_vertices)},
+          {"bounded_vertices", count(report.bounded_vertices)}};
 }
 
 /// Normals that are no numbers become zero, as those of faces without area are: MeshLab's own computation of them

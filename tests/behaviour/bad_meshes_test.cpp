@@ -17,6 +17,7 @@
 #include <support/mesh_types.h>
 #include <support/print_method.h>
 #include <support/raw_snapshot.h>
+#include <support/result_census.h>
 #include <vcg_core/distance_colors.h>
 #include <vcg_core/geodesic_distance.h>
 #include <vcg_core/smoothing.h>
@@ -116,6 +117,10 @@ void smooth_and_check(const BadMesh& bad, Method method, const SmoothingParamete
   using Scalar = typename Mesh::ScalarType;
   const double rounding = 4 * largest_coordinate(before) * static_cast<double>(std::numeric_limits<Scalar>::epsilon());
   expect_displacements(report, before, after, rounding);
+  const ResultCensus result = take_census(before, after);
+  EXPECT_EQ(report.flipped_faces, result.flipped_faces);
+  EXPECT_EQ(report.far_moved_vertices, result.far_moved_vertices);
+  EXPECT_EQ(report.beyond_ring_vertices, result.beyond_ring_vertices);
   EXPECT_TRUE(std::isfinite(report.volume_before) && std::isfinite(report.volume_after));
 }
 

@@ -56,6 +56,9 @@ TEST_P(Determinism, SameReportForAnyNumberOfThreads) {
   EXPECT_EQ(one.rms_displacement, three.rms_displacement);
   EXPECT_EQ(one.max_displacement, three.max_displacement);
   EXPECT_EQ(one.volume_after, three.volume_after);
+  EXPECT_EQ(one.flipped_faces, three.flipped_faces);
+  EXPECT_EQ(one.coordinate_spacing, three.coordinate_spacing);
+  EXPECT_EQ(one.warnings(), three.warnings());
 }
 
 INSTANTIATE_TEST_SUITE_P(Paths, Determinism, testing::ValuesIn(smoothing_paths()), name_of_path);

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <support/hand_made.h>
-#include <support/raw_mesh.h>
+#include <support/arrays_of.h>
 #include <vcg_core/detail/job.h>
 
 #include "guided/displacement_limit.h"
@@ -41,7 +41,7 @@ class DisplacementLimit : public testing::Test {
   }
 
   Job job{no_progress, 2};
-  MeshArrays mesh = test_support::mesh_arrays(test_support::icosphere(3), job);
+  MeshArrays mesh = test_support::arrays_of(test_support::icosphere(3), job);
   double e = mesh.topology.average_edge_length;
   FaceGeometry faces;
   Array<std::uint8_t> bounded = Array<std::uint8_t>(mesh.size(), 0);

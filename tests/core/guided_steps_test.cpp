@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <support/noisy_shapes.h>
-#include <support/raw_mesh.h>
+#include <support/arrays_of.h>
 #include <vcg_core/detail/job.h>
 #include <vcg_core/detail/mesh_arrays.h>
 
@@ -27,7 +27,7 @@ using test_support::FlatMesh;
 
 const vcg_core::Progress no_progress;
 
-using test_support::mesh_arrays;
+using test_support::arrays_of;
 
 class GuidedSteps : public testing::Test {
  protected:
@@ -50,7 +50,7 @@ class GuidedSteps : public testing::Test {
   }
 
   Job job{no_progress, 2};
-  MeshArrays mesh = mesh_arrays(test_support::noisy_shape("cube", 400), job);
+  MeshArrays mesh = arrays_of(test_support::noisy_shape("cube", 400), job);
   FaceGeometry faces;
   Array<Index> across;
   FaceLists around;
@@ -177,7 +177,7 @@ TEST_F(GuidedSteps, UpdateMovesToThePlanesOfTheFaces) {
 TEST(GuidedUnfolding, OpensFoldsWithinThePlane) {
   Job job{no_progress, 1};
   const FlatMesh flat = test_support::noisy_shape("plane_slash", 121, 0);
-  MeshArrays mesh = mesh_arrays(flat, job);
+  MeshArrays mesh = arrays_of(flat, job);
   Array<Vec3> position = mesh.position;
   Index moved = 0;
   for (Index v = 0; v < mesh.size(); ++v)
@@ -199,7 +199,7 @@ TEST(GuidedUnfolding, OpensFoldsWithinThePlane) {
 
 TEST(GuidedDetail, WhiteNoiseStaysOutAndShapeComesBack) {
   Job job{no_progress, 1};
-  const MeshArrays noisy = mesh_arrays(test_support::noisy_shape("plane_delaunay", 2000, 0.2), job);
+  const MeshArrays noisy = arrays_of(test_support::noisy_shape("plane_delaunay", 2000, 0.2), job);
   Array<Vec3> flat = noisy.position;
   for (Vec3& p : flat) p[2] = 0;
   const Array<std::uint8_t> movable(noisy.size(), 1);
@@ -224,7 +224,7 @@ TEST(GuidedDetail, WhiteNoiseStaysOutAndShapeComesBack) {
 
 TEST(GuidedColor, DoesNotBleedOverAnEdge) {
   Job job{no_progress, 1};
-  const MeshArrays mesh = mesh_arrays(test_support::noisy_shape("cube", 2000, 0), job);
+  const MeshArrays mesh = arrays_of(test_support::noisy_shape("cube", 2000, 0), job);
   VertexAttributes attributes;
   attributes.has_quality = true;
   double top = -1e300;

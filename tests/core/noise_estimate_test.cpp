@@ -11,7 +11,7 @@
 #include <mesh_tools/shapes.h>
 #include <support/clean_shapes.h>
 #include <support/mesh_types.h>
-#include <support/raw_mesh.h>
+#include <support/arrays_of.h>
 #include <vcg_core/detail/job.h>
 
 #include "guided/noise_estimate.h"
@@ -32,7 +32,7 @@ struct Found {
 
 Found found_on(const FlatMesh& flat, int threads = 1) {
   Job job{no_progress, threads};
-  Found found{{}, test_support::mesh_arrays(flat, job)};
+  Found found{{}, test_support::arrays_of(flat, job)};
   FaceGeometry faces;
   faces.measure(found.mesh, found.mesh.position, job);
   found.noise = estimate_noise(found.mesh, found.mesh.position, faces, job);

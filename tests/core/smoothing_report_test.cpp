@@ -2,12 +2,15 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include <support/hand_made.h>
 #include <support/mesh_types.h>
+#include <support/noisy_shapes.h>
+#include <support/smoothed_by.h>
 #include <support/smoothing_path.h>
 #include <vcg_core/smoothing.h>
 
@@ -64,7 +67,18 @@ TEST(SmoothingReport, OfTheUnitCube) {
     EXPECT_EQ(report.non_manifold_vertices, 0u);
     EXPECT_EQ(report.coincident_vertices, 0u);
     EXPECT_EQ(report.degenerate_faces, 0u);
-    EXPECT_TRUE(report.warnings().empty());
+    EXPECT_EQ(report.faces, 12u);
+    EXPECT_EQ(report.flipped_faces, 0u);
+    EXPECT_EQ(report.far_moved_vertices, 0u);
+    EXPECT_EQ(report.beyond_ring_vertices, 0u);
+    EXPECT_EQ(report.bounded_vertices, 0u);
+    EXPECT_FALSE(report.self_intersections.has_value());
+    EXPECT_TRUE(report.closed);
+    // A volume of 1.377: the cube is as coarse as can be.
+    ASSERT_EQ(report.warnings().size(), 1u);
+    EXPECT_EQ(report.warnings()[0].find("the enclosed volume changed from 1 to 1.38, by 37.7 %"), 0u)
+        << report.warnings()[0];
+    EXPECT_NE(report.warnings()[0].find("use the guided filter"), std::string::npos);
   }
 }
 
@@ -137,7 +151,7 @@ TEST(SmoothingReport, CountsIsolatedVertices) {
   EXPECT_EQ(report.skipped_vertices.isolated, 2u);
   EXPECT_EQ(report.skipped_vertices.undefined_normal, 0u);
   EXPECT_EQ(report.skipped_vertices.total(), 2u);
-  ASSERT_EQ(report.warnings().size(), 1u);
+  ASSERT_FALSE(report.warnings().empty());
   EXPECT_NE(report.warnings()[0].find("2 vertices belong to no face"), std::string::npos);
 }
 
@@ -200,6 +214,140 @@ TEST(SmoothingReport, CountsDegenerateFaces) {
   shape.faces.push_back({0, 0, 4});  // a repeated vertex
   shape.faces.push_back({0, 1, 2});  // three vertices on a line
   EXPECT_EQ(report_of(shape).degenerate_faces, 2u);
+}
+
+/// A report of a mesh of 1000 faces and |e| = 2 that has nothing to warn of.
+SmoothingReport good_report() {
+  SmoothingReport report;
+  report.average_edge_length = 2;
+  report.vertices = 502;
+  report.faces = 1000;
+  report.closed = true;
+  report.volume_before = report.volume_after = 100;
+  report.advice = "use something else";
+  return report;
+}
+
+/// The only warning of a report; without one, or with several, what is wrong.
+std::string only_warning(const SmoothingReport& report) {
+  const std::vector<std::string> warnings = report.warnings();
+  return warnings.size() == 1 ? warnings[0] : std::to_string(warnings.size()) + " warnings";
+}
+
+TEST(SmoothingReportWarnings, AreNoneForAGoodResult) { EXPECT_TRUE(good_report().warnings().empty()); }
+
+TEST(SmoothingReportWarnings, OfFlippedFacesAboveOnePercent) {
+  SmoothingReport report = good_report();
+  report.flipped_faces = 10;
+  EXPECT_TRUE(report.warnings().empty());
+  report.flipped_faces = 11;
+  EXPECT_EQ(only_warning(report),
+            "11 of 1000 faces (1.1 %) face the opposite way from before: the surface folds there, unless strong noise"
+            " had turned them; use something else");
+}
+
+TEST(SmoothingReportWarnings, OfTheVolumeOfAClosedMeshAboveFivePercent) {
+  SmoothingReport report = good_report();
+  for (const double volume : {95.01, 104.99}) {
+    report.volume_after = volume;
+    EXPECT_TRUE(report.warnings().empty()) << volume;
+  }
+  for (const double volume : {-100.0, 94.9, 105.1, 300.0}) {
+    report.volume_after = volume;
+    EXPECT_EQ(only_warning(report).find("the enclosed volume changed from 100 to "), 0u) << volume;
+    report.closed = false;
+    EXPECT_TRUE(report.warnings().empty()) << volume;
+    report.closed = true;
+  }
+  report.volume_after = 94;
+  EXPECT_EQ(only_warning(report), "the enclosed volume changed from 100 to 94, by -6 %; use something else");
+  // Inside out.
+  report.volume_before = -100;
+  report.volume_after = -94;
+  EXPECT_EQ(only_warning(report), "the enclosed volume changed from -100 to -94, by 6 %; use something else");
+  // What rounding makes of a flat shape.
+  report.volume_before = 1e-12;
+  report.volume_after = -3e-12;
+  EXPECT_TRUE(report.warnings().empty());
+  report.volume_before = 0;
+  report.volume_after = 1;
+  EXPECT_EQ(only_warning(report), "the enclosed volume changed from 0 to 1; use something else");
+}
+
+TEST(SmoothingReportWarnings, OfVerticesThatMovedFar) {
+  SmoothingReport report = good_report();
+  report.max_displacement = 7;
+  report.far_moved_vertices = 1;
+  EXPECT_EQ(only_warning(report),
+            "1 vertex moved by more than twice the average edge length, the farthest by 3.5 times that length; use"
+            " something else");
+  report = good_report();
+  report.beyond_ring_vertices = 3;
+  EXPECT_EQ(only_warning(report), "3 vertices moved farther than the longest edge there; use something else");
+}
+
+TEST(SmoothingReportWarnings, OfSelfIntersections) {
+  SmoothingReport report = good_report();
+  report.self_intersections = 0;
+  EXPECT_TRUE(report.warnings().empty());
+  report.self_intersections = 6;
+  EXPECT_EQ(only_warning(report), "6 faces of the result cut through other faces; use something else");
+}
+
+TEST(SmoothingReportWarnings, OfCoordinatesWithTooFewDigits) {
+  SmoothingReport report = good_report();
+  report.coordinate_spacing = 0.02;
+  EXPECT_TRUE(report.warnings().empty());
+  report.coordinate_spacing = 0.0625;
+  EXPECT_EQ(only_warning(report),
+            "the mesh lies so far from the origin that its coordinates are stored in steps of 0.0625, 3.12 % of the"
+            " average edge length; move it to the origin before it is saved, or use double precision");
+}
+
+TEST(SmoothingReportWarnings, EndWithTheNotes) {
+  SmoothingReport report = good_report();
+  report.notes = {"first", "second"};
+  report.beyond_ring_vertices = 1;
+  ASSERT_EQ(report.warnings().size(), 3u);
+  EXPECT_EQ(report.warnings()[1], "first");
+  EXPECT_EQ(report.warnings()[2], "second");
+}
+
+// A float has steps of 1/16 at a million. In double precision, or at the origin, there is nothing to say.
+TEST(SmoothingReportWarnings, OfAMeshFarFromTheOrigin) {
+  const auto warned = [](auto& mesh, double offset) {
+    fill(mesh, transformed(icosphere(3), [&](const Point& p) { return p * 4 + Point(offset, offset, 0); }));
+    const SmoothingReport report =
+        vcg_core::smooth(mesh, vcg_core::Method::guided, vcg_core::method_info(vcg_core::Method::guided).defaults);
+    EXPECT_NEAR(report.average_edge_length, 0.6, 0.15);
+    for (const std::string& sentence : report.warnings())
+      if (sentence.find("far from the origin") != std::string::npos) return true;
+    return false;
+  };
+  FloatMesh far_away, near;
+  DoubleMesh in_double;
+  EXPECT_TRUE(warned(far_away, 1e6));
+  EXPECT_FALSE(warned(near, 0));
+  EXPECT_FALSE(warned(in_double, 1e6));
+}
+
+TEST(SmoothingReportWarnings, AreNoneForANoisyPartByTheGuidedFilter) {
+  const FlatMesh part = noisy_shape("cad_part", 4000);
+  for (const auto& [method, shape] :
+       {std::pair(vcg_core::Method::guided, part), std::pair(vcg_core::Method::paper, part)}) {
+    const SmoothedBy result = smoothed_by(method, shape);
+    EXPECT_GT(result.report.moved_vertices, 3000u);
+    EXPECT_TRUE(result.report.warnings().empty()) << result.report.warnings()[0];
+  }
+}
+
+// Each method says what to use in its place.
+TEST(SmoothingReportWarnings, NameARemedyForEveryMethod) {
+  for (const vcg_core::MethodInfo& info : vcg_core::methods()) {
+    const std::string advice = smoothed_by(info.method, octahedron()).report.advice;
+    EXPECT_EQ(advice.find("guided") != std::string::npos, info.method != vcg_core::Method::guided) << info.name;
+    EXPECT_NE(advice.find("use "), std::string::npos) << info.name;
+  }
 }
 
 }  // namespace

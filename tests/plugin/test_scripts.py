@@ -134,6 +134,22 @@ class Smoothing(unittest.TestCase):
         self.assertIn(f"moved {figures['moved_vertices']} of {figures['vertices']} vertices", done.stdout)
         self.assertIn(f"held fixed {figures['fixed_vertices']}", done.stdout)
 
+    def test_result_that_is_not_to_be_trusted_is_warned_about(self):
+        source = work / "coarse.ply"
+        corners = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+        faces = [(0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7), (0, 4, 2),
+                 (2, 4, 6), (1, 3, 5), (3, 7, 5)]
+        ply.write(source, [("vertex", [("x", "float"), ("y", "float"), ("z", "float")], corners),
+                           ("face", [("vertex_indices", ("uchar", "int"))], [(face,) for face in faces])])
+        report = work / "coarse.json"
+        self.by_command_line(source, "coarse_tool", "--report", report)
+        (warning,) = json.loads(report.read_text())["warnings"]
+        self.assertIn("the enclosed volume changed from 1 to 1.38, by 37.7 %", warning)
+        done, _ = serve(source, "coarse_result")
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertIn(f"Warning: {warning}", done.stdout)
+        self.assertIn("0 of 12 faces turned over", done.stdout)
+
     def test_unmerged_mesh_is_warned_about(self):
         vertex = ply.read(sheets)["vertex"]
         points = list(zip(*(ply.floats(vertex[name]) for name in "xyz")))

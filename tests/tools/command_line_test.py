@@ -69,6 +69,40 @@ class Subcommands(CommandLine):
         for key in ("fixed_vertices", "rms_displacement", "volume_before", "volume_after", "sigma_s_length"):
             self.assertIn(key, report)
 
+    def test_report_of_a_coarse_cube(self):
+        """The paper's filter blows it up, and says so: on stderr, also when it is to be quiet, and in the report."""
+        with open(self.path("cube.off"), "w", encoding="utf-8") as file:
+            file.write("OFF\n8 12 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n"
+                       "3 0 2 1\n3 1 2 3\n3 4 5 6\n3 5 7 6\n3 0 1 4\n3 1 5 4\n3 2 6 3\n3 3 6 7\n3 0 4 2\n3 2 4 6\n"
+                       "3 1 3 5\n3 3 7 5\n")
+        done = self.run_tool("smooth", "cube.off", "big.off", "--quiet", "--report", "report.json")
+        report = json.loads(self.bytes_of("report.json"))
+        self.assertAlmostEqual(report["volume_after"], 1.377, delta=0.001)
+        self.assertEqual((report["faces"], report["flipped_faces"], report["bounded_vertices"]), (12, 0, 0))
+        self.assertIs(report["closed"], True)
+        self.assertNotIn("self_intersections", report)
+        (warning,) = report["warnings"]
+        self.assertIn("volume changed from 1 to 1.38, by 37.7 %", warning)
+        self.assertIn("use the guided filter", warning)
+        self.assertEqual(done.stderr, f"warning: {warning}\n")
+
+    def test_check_counts_self_intersections(self):
+        peak = [(0, 0, 0), (4, 0, 0), (0, 4, 0), (0, 0, 4), (.4, .4, -1), (.7, .4, -1), (.4, .7, -1), (.5, .5, .5)]
+        sides = ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3))
+        with open(self.path("peak.off"), "w", encoding="utf-8") as file:
+            file.write("OFF\n8 8 0\n" + "".join(f"{x} {y} {z}\n" for x, y, z in peak) +
+                       "".join(f"3 {a + first} {b + first} {c + first}\n" for first in (0, 4) for a, b, c in sides))
+        figures = json.loads(self.run_tool("measure", "peak.off", "peak.off", "--check", "--json").stdout)
+        self.assertEqual(figures["self_intersections"], 4)
+        self.assertIn("faces that cut through others", self.run_tool("measure", "peak.off", "peak.off", "--check").stdout)
+        self.assertNotIn("self_intersections", self.run_tool("measure", "peak.off", "peak.off", "--json").stdout)
+        self.run_tool("smooth", "peak.off", "x.ply", "--check", "--report", "report.json", "--sigma-s", "0.001")
+        report = json.loads(self.bytes_of("report.json"))
+        again = json.loads(self.run_tool("measure", "x.ply", "peak.off", "--check", "--json").stdout)
+        self.assertEqual(report["self_intersections"], again["self_intersections"])
+        self.assertEqual(report["self_intersections"], 4)
+        self.assertTrue(any("4 faces of the result cut through" in warning for warning in report["warnings"]))
+
     def test_every_method_of_the_help_runs(self):
         self.noisy("cube", "400")
         self.run_tool("smooth", "--help")

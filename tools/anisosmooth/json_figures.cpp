@@ -5,26 +5,35 @@ namespace anisosmooth {
 using nlohmann::ordered_json;
 
 ordered_json to_json(const vcg_core::SmoothingReport& report) {
-  return {{"average_edge_length", report.average_edge_length},
-          {"sigma_c_length", report.sigma_c_length},
-          {"sigma_s_length", report.sigma_s_length},
-          {"rho_length", report.rho_length},
-          {"vertices", report.vertices},
-          {"moved_vertices", report.moved_vertices},
-          {"fixed_vertices", report.fixed_vertices},
-          {"skipped_vertices",
-           {{"isolated", report.skipped_vertices.isolated},
-            {"undefined_normal", report.skipped_vertices.undefined_normal},
-            {"empty_neighbourhood", report.skipped_vertices.empty_neighbourhood}}},
-          {"max_displacement", report.max_displacement},
-          {"rms_displacement", report.rms_displacement},
-          {"volume_before", report.volume_before},
-          {"volume_after", report.volume_after},
-          {"border_vertices", report.border_vertices},
-          {"non_manifold_vertices", report.non_manifold_vertices},
-          {"coincident_vertices", report.coincident_vertices},
-          {"degenerate_faces", report.degenerate_faces},
-          {"warnings", report.warnings()}};
+  ordered_json json = {{"average_edge_length", report.average_edge_length},
+                       {"sigma_c_length", report.sigma_c_length},
+                       {"sigma_s_length", report.sigma_s_length},
+                       {"rho_length", report.rho_length},
+                       {"vertices", report.vertices},
+                       {"moved_vertices", report.moved_vertices},
+                       {"fixed_vertices", report.fixed_vertices},
+                       {"skipped_vertices",
+                        {{"isolated", report.skipped_vertices.isolated},
+                         {"undefined_normal", report.skipped_vertices.undefined_normal},
+                         {"empty_neighbourhood", report.skipped_vertices.empty_neighbourhood}}},
+                       {"max_displacement", report.max_displacement},
+                       {"rms_displacement", report.rms_displacement},
+                       {"volume_before", report.volume_before},
+                       {"volume_after", report.volume_after},
+                       {"border_vertices", report.border_vertices},
+                       {"non_manifold_vertices", report.non_manifold_vertices},
+                       {"coincident_vertices", report.coincident_vertices},
+                       {"degenerate_faces", report.degenerate_faces},
+                       {"faces", report.faces},
+                       {"flipped_faces", report.flipped_faces},
+                       {"far_moved_vertices", report.far_moved_vertices},
+                       {"beyond_ring_vertices", report.beyond_ring_vertices},
+                       {"bounded_vertices", report.bounded_vertices},
+                       {"closed", report.closed},
+                       {"coordinate_spacing", report.coordinate_spacing}};
+  if (report.self_intersections) json["self_intersections"] = *report.self_intersections;
+  json["warnings"] = report.warnings();
+  return json;
 }
 
 ordered_json to_json(const vcg_core::MethodInfo& method, const vcg_core::SmoothingParameters& parameters) {

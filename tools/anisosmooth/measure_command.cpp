@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <mesh_tools/measure.h>
+#include <vcg_core/self_intersections.h>
 
 #include "command.h"
 #include "json_figures.h"
@@ -15,9 +16,10 @@ namespace {
 struct Options {
   std::string result, reference, noisy;
   bool json = false;
+  bool check = false;
 };
 
-void print_table(const mesh_tools::Measurement& figures) {
+void print_table(const mesh_tools::Measurement& figures, std::optional<std::size_t> self_intersections) {
   const auto angles = [](const char* name, const mesh_tools::AngleStatistics& angle) {
     std::printf("%-44s mean %8.3f   median %8.3f   95 %% below %8.3f   (%zu faces)\n", name, angle.mean, angle.median,
                 angle.percentile_95, angle.faces);
@@ -36,10 +38,19 @@ void print_table(const mesh_tools::Measurement& figures) {
   else
     std::printf("%-44s %13s\n", "volume change, %", "no volume");
   std::printf("%-44s %13zu\n", "flipped faces", figures.flipped_faces);
+  if (self_intersections) std::printf("%-44s %13zu\n", "faces that cut through others", *self_intersections);
   if (figures.degenerate_faces > 0) std::printf("%-44s %13zu\n", "faces without area", figures.degenerate_faces);
   std::printf("%-44s rms  %8.5f\n", "tangential drift from the reference, e", figures.true_tangential_drift);
   if (figures.tangential_drift)
     std::printf("%-44s rms  %8.5f\n", "tangential drift from the noisy mesh, e", *figures.tangential_drift);
+}
+
+/// In the precision of the file, which bounds what counts as a cut.
+std::size_t count_self_intersections(const mesh_tools::MeshFile& file) {
+  if (file.precision == mesh_tools::Precision::double_precision) return vcg_core::count_self_intersections(file.mesh);
+  mesh_tools::MeshF mesh;
+  mesh_tools::to_single_precision(file.mesh, mesh);
+  return vcg_core::count_self_intersections(mesh);
 }
 
 void run(const Options& options) {
@@ -48,10 +59,12 @@ void run(const Options& options) {
   if (!options.noisy.empty()) noisy.emplace(read_input(options.noisy));
   const mesh_tools::Measurement figures =
       mesh_tools::measure(result.mesh, reference.mesh, noisy ? &noisy->mesh : nullptr);
-  if (options.json)
-    std::cout << to_json(figures).dump(2) << "\n";
-  else
-    print_table(figures);
+  std::optional<std::size_t> self_intersections;
+  if (options.check) self_intersections = count_self_intersections(result);
+  if (!options.json) return print_table(figures, self_intersections);
+  nlohmann::ordered_json json = to_json(figures);
+  if (self_intersections) json["self_intersections"] = *self_intersections;
+  std::cout << json.dump(2) << "\n";
 }
 
 }  // namespace
@@ -63,6 +76,7 @@ std::function<void()> declare_measure(CLI::App& app) {
                  "The truth: a mesh with the same vertices and faces, in the same order")
       ->required();
   app.add_option("--noisy", options->noisy, "The mesh before smoothing: also print how far vertices slid along it");
+  app.add_flag("--check", options->check, "Also count the faces of RESULT that cut through others");
   app.add_flag("--json", options->json, "Print JSON");
   return [options] { run(*options); };
 }

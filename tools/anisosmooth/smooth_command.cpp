@@ -31,6 +31,7 @@ struct Options {
   std::optional<bool> smooth_color;
   std::optional<bool> selected;  // empty: if the file has a selection
   int threads = 0;
+  bool check = false;
   bool quiet = false;
 };
 
@@ -77,6 +78,7 @@ SmoothingParameters parameters_of(const Options& options, const MethodInfo& meth
   parameters.gaussian = chosen<GaussianForm>(
       "gaussian", options.gaussian,
       {{"standard_deviation", GaussianForm::standard_deviation}, {"printed", GaussianForm::printed}});
+  parameters.check = options.check;
   parameters.threads = options.threads;
   parameters.validate(method.fewest_iterations);
   print_warnings(warnings);
@@ -101,8 +103,11 @@ void print_summary(const Options& options, const MethodInfo& method, const Smoot
   if (report.fixed_vertices > 0) std::cout << ", " << report.fixed_vertices << " held";
   if (report.skipped_vertices.total() > 0) std::cout << ", " << report.skipped_vertices.total() << " skipped";
   std::cout << "; displacement rms " << report.rms_displacement << ", max " << report.max_displacement
-            << "\nvolume before " << report.volume_before << ", after " << report.volume_after << "\nwritten to "
-            << options.output << "\n";
+            << "\nvolume before " << report.volume_before << ", after " << report.volume_after;
+  if (report.flipped_faces > 0) std::cout << "; faces turned over " << report.flipped_faces;
+  if (report.bounded_vertices > 0) std::cout << "; vertices held back " << report.bounded_vertices;
+  if (report.self_intersections) std::cout << "; faces that cut through others " << *report.self_intersections;
+  std::cout << "\nwritten to " << options.output << "\n";
 }
 
 void check_report_path(const Options& options) {
@@ -144,7 +149,7 @@ void run(const Options& options) {
 std::string method_help() {
   std::string text = "The filter:";
   for (const MethodInfo& info : vcg_core::methods()) text += "\n" + info.name + ": " + info.title;
-  return text;
+  return text + "\npaper moves coarse convex shapes outwards, laplacian and hc shrink them: there use guided. ";
 }
 
 }  // namespace
@@ -188,6 +193,7 @@ std::function<void()> declare_smooth(CLI::App& app) {
   app.add_option("--gaussian", options->gaussian,
                  "Exponent of the weights: standard_deviation, or printed as in the paper's formulas")
       ->capture_default_str();
+  app.add_flag("--check", options->check, "Also count the faces of the result that cut through others");
   app.add_option("--threads", options->threads, "Number of threads, 0 for one a processor; the result is the same")
       ->capture_default_str();
   app.add_option("--report", options->report, "Also write what was done to this file, as JSON");

@@ -28,10 +28,9 @@ struct PassInput {
 struct PassOutput {
   Array<Vec3> position;                  ///< the new positions; unchanged where a vertex does not move
   std::size_t empty_neighbourhoods = 0;  ///< movable vertices that had nothing to be smoothed by
-  std::size_t bounded_vertices = 0;      ///< vertices that would have moved farther without a limit
-  std::optional<double> estimated_noise =
-      {};                               ///< standard deviation, in units of MeshArrays::position, if it was asked for
-  std::vector<std::string> notes = {};  ///< sentences for the user
+  std::size_t bounded_vertices = 0;      ///< vertices that were held back, as SmoothingReport has it
+  std::vector<std::string> notes = {};   ///< sentences for the user, as SmoothingReport has it
+  std::optional<double> estimated_noise = {};  ///< standard deviation, in units of MeshArrays::position
 };
 
 /// One pass. An object, as a filter may keep from pass to pass what depends on the connectivity only.

@@ -1,12 +1,15 @@
 #include <vcg_core/detail/smooth_arrays.h>
 
 #include <cmath>
+#include <string>
 #include <utility>
 
+#include <vcg_core/detail/count_intersections.h>
 #include <vcg_core/detail/job.h>
 
 #include "filter_table.h"
 #include "guided/attribute_smoothing.h"
+#include "result_check.h"
 #include "vertex_normals.h"
 #include "volume.h"
 
@@ -67,18 +70,26 @@ SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const Smoot
   result.position = mesh.position;
   const int passes = filter.one_pass ? 1 : parameters.iterations;
   for (int pass = 0; pass < passes; ++pass) {
-    job.begin_stage("Smoothing", 0.05 + 0.94 * (pass + 1) / passes);
+    job.begin_stage("Smoothing", 0.05 + ((parameters.check ? 0.7 : 0.99) - 0.05) * (pass + 1) / passes);
     Array<Vec3> normal;
     if (filter.needs_normals) normal = vertex_normals(mesh, result.position, job);
     if (filter.needs_normals && pass == 0) count_undefined_normals(mesh, normal, movable, result.report, job);
     PassOutput output = run_pass({mesh, result.position, normal, movable, parameters, job});
     if (pass == 0) result.report.skipped_vertices.empty_neighbourhood = output.empty_neighbourhoods;
+    result.report.bounded_vertices += output.bounded_vertices;
+    for (std::string& note : output.notes) result.report.notes.push_back(std::move(note));
     result.position = std::move(output.position);
   }
 
   if (attributes.channels() > 0)
     smooth_attributes(mesh, result.position, movable, guided_settings(parameters), attributes, job);
 
+  round_as_stored(mesh, result.position, job);
+  check_result(mesh, result.position, method, result.report, job);
+  if (parameters.check) {
+    job.begin_stage("Looking for self-intersections", 0.99);
+    result.report.self_intersections = count_self_intersections(mesh, result.position, job);
+  }
   const Vec3 apex = bounding_box(mesh.position, job).center();  // the same one before and after
   const auto volume = [&](const Array<Vec3>& position) {
     return std::ldexp(signed_volume(mesh, position, apex, job), -3 * mesh.exponent);

@@ -44,6 +44,8 @@ struct SmoothingParameters {
   /// Guided method: smooths per-vertex colour and quality as well, where the mesh has them, by weights that keep them
   /// from bleeding over edges.
   bool smooth_color = false;
+  /// Also counts the faces of the result that cut through others: SmoothingReport::self_intersections.
+  bool check = false;
   /// Number of threads; 0: one for each processor. The result does not depend on it.
   int threads = 0;
 

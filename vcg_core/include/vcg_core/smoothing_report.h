@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,29 @@ struct SmoothingReport {
   std::size_t coincident_vertices = 0;    ///< at exactly the place of another vertex
   std::size_t degenerate_faces = 0;       ///< with a repeated vertex or without area
 
-  /// Sentences for the user about what in the mesh limits the result, and the remedy; empty for a clean mesh.
+  std::size_t faces = 0;  ///< faces of the mesh that are not deleted
+  /// Faces whose normal points to the other side than before (its product with the old one is negative). Faces without
+  /// area before or after have no normal and do not count; a face without area is one whose height is less than 1e-12
+  /// of its longest edge.
+  std::size_t flipped_faces = 0;
+  std::size_t far_moved_vertices = 0;    ///< moved by more than 2 |e|
+  std::size_t beyond_ring_vertices = 0;  ///< moved by more than the longest edge that they had before
+  std::size_t bounded_vertices = 0;      ///< wanted to move farther than the filter lets them; of the guided method
+  /// Faces of the result that cut through another one; empty unless SmoothingParameters::check asks for it.
+  std::optional<std::size_t> self_intersections;
+  /// Whether the faces enclose a volume: no border, no edge of three or more faces, all faces of a part look to its
+  /// inside or all to its outside.
+  bool closed = false;
+  /// Distance between neighbouring numbers of the mesh's own precision, at its largest coordinate; isolated vertices
+  /// do not count.
+  double coordinate_spacing = 0;
+  std::vector<std::string> notes;  ///< what the method itself has to say, such as that it found no noise
+  std::string advice;              ///< what to use instead where the result is not to be trusted; depends on the method
+
+  /// Sentences for the user: about what in the mesh limits the result, and about a result that is not to be trusted,
+  /// each with the remedy. The latter: more than 1 % of the faces are flipped; the volume of a closed mesh changed by
+  /// more than 5 %; a vertex moved by more than 2 |e| or by more than its longest edge; a face cuts through another;
+  /// coordinate_spacing is more than 1 % of |e|. The notes are among them. Empty if there is nothing to say.
   std::vector<std::string> warnings() const;
 };
 

@@ -25,6 +25,7 @@ struct RawMesh {
   /// The positions are the caller's times 2^exponent, with the largest coordinate in [1, 2). A power of two, so that
   /// nothing is lost, wherever the mesh lies; and no square over- or underflows, whatever its scale.
   int exponent = 0;
+  double coordinate_epsilon = 0;  ///< of the caller's coordinates: the gap between 1 and the next larger number
 };
 
 /// Faces around each vertex, and what they tell of the vertex. A corner is 3 * face + (0, 1 or 2).

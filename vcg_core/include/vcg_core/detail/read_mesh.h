@@ -40,6 +40,7 @@ Array<Index> read_vertices(const Mesh& mesh, RawMesh& raw, Job& job) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   Array<Index> index_of(mesh.vert.size());
   raw.host_vertex_count = mesh.vert.size();
+  raw.coordinate_epsilon = static_cast<double>(std::numeric_limits<typename Mesh::ScalarType>::epsilon());
   raw.position.reserve(mesh.vn);
   raw.host_vertex.reserve(mesh.vn);
   raw.selected.reserve(mesh.vn);

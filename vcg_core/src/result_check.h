@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vcg_core/detail/mesh_arrays.h>
+#include <vcg_core/method.h>
+#include <vcg_core/smoothing_report.h>
+
+namespace vcg_core::detail {
+
+class Job;
+
+/// Rounds the positions as the caller's mesh will store them, so that all figures are of what the user gets.
+void round_as_stored(const MeshArrays& mesh, Array<Vec3>& position, Job& job);
+
+/// Compares the new positions with those that were read and fills in what SmoothingReport::warnings() judges by:
+/// faces, flipped_faces, the vertices that moved far, closed, coordinate_spacing and advice.
+/// @param position  one per vertex, in units of RawMesh::position
+/// @throws Cancelled
+void check_result(const MeshArrays& mesh, const Array<Vec3>& position, Method method, SmoothingReport& report,
+                  Job& job);
+
+}  // namespace vcg_core::detail
