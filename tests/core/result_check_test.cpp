@@ -147,6 +147,7 @@ void expect_counts_of_what_is_stored(Method method, double offset) {
   vcg_core::SmoothingParameters parameters = vcg_core::method_info(method).defaults;
   const SmoothingReport report = vcg_core::smooth(mesh, method, parameters);
   const ResultCensus census = take_census(before, flat(mesh));
+  SCOPED_TRACE(std::to_string(offset) + (sizeof(typename Mesh::ScalarType) == 4 ? ", float" : ", double"));
   EXPECT_EQ(report.flipped_faces, census.flipped_faces);
   EXPECT_EQ(report.far_moved_vertices, census.far_moved_vertices);
   EXPECT_EQ(report.beyond_ring_vertices, census.beyond_ring_vertices);

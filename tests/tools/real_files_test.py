@@ -56,12 +56,12 @@ class RealFiles(CommandLine):
         self.write("text.txt", "no mesh\n")
         before = self.files()
         out = self.run_script(".", "--methods", "paper,taubin", "--jobs", "2").stdout
-        lines = [line for line in out.splitlines() if re.match(r"(done|refused|over|crashed) ", line)]
+        lines = [line for line in out.splitlines() if re.match(r"(done|refused|over its time|crashed) +[\d.]+ s ", line)]
         self.assertEqual(len(lines), 8, out)
         self.assertEqual(self.files(), before, "nothing is kept")
         (cube,) = [line for line in lines if "cube.off" in line and " paper " in line]
-        self.assertRegex(cube, r"^done .* 0\.\d+ e +0\.00 % +\+37\.7\d % +1  paper +deep/down/cube\.off$")
-        self.assertEqual(sum("broken.obj: error: " in line and line.startswith("refused") for line in lines), 2, out)
+        self.assertRegex(cube, r"^done .* 0\.\d+ e +0\.00 % +\+37\.\d\d % +1  paper +deep/down/cube\.off$")
+        self.assertEqual(sum("broken.obj: anisosmooth: " in line and line.startswith("refused") for line in lines), 2, out)
         self.assertEqual(self.counts(out, "files"), [4, 4, 8])
         self.assertEqual(self.counts(out, "refused"), [1, 1, 2])
         self.assertEqual(self.counts(out, "crashed"), [0, 0, 0])
@@ -71,9 +71,9 @@ class RealFiles(CommandLine):
 
     def test_programs_that_fail(self):
         self.write("mesh.off", CUBE)
-        for name, program in (("over its time", self.program("while :; do :; done")),):
-            out = self.run_script("mesh.off", "--methods", "paper", "--timeout", "1", program=program, status=1).stdout
-            self.assertEqual(self.counts(out, name), [1, 1], out)
+        endless = self.program("while :; do :; done")
+        out = self.run_script("mesh.off", "--methods", "paper", "--timeout", "1", program=endless, status=1).stdout
+        self.assertEqual(self.counts(out, "over its time"), [1, 1], out)
         out = self.run_script("mesh.off", "--methods", "paper", program=self.program("kill -SEGV $$"), status=1).stdout
         self.assertEqual(self.counts(out, "crashed"), [1, 1], out)
         out = self.run_script("mesh.off", "--methods", "paper", program=self.program("exit 0"), status=1).stdout
