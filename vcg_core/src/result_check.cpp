@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -67,10 +68,17 @@ class VertexCheck {
   bool has_repeated_successor(Index begin, Index end) {
     next_.clear();
     for (Index s = begin; s < end; ++s) next_.push_back(vertex_of(mesh_, next_in_face(mesh_.topology.star[s])));
-    std::sort(next_.begin(), next_.end());
-    return std::adjacent_find(next_.begin(), next_.end()) != next_.end();
+    if (next_.size() > few) {
+      std::sort(next_.begin(), next_.end());
+      return std::adjacent_find(next_.begin(), next_.end()) != next_.end();
+    }
+    unsigned repeated = 0;  // all with all, without branches
+    for (std::size_t i = 1; i < next_.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k) repeated |= static_cast<unsigned>(next_[i] == next_[k]);
+    return repeated != 0;
   }
 
+  static constexpr std::size_t few = 12;
   const MeshArrays& mesh_;
   const Array<Vec3>& position_;
   std::vector<Index> next_;
