@@ -20,8 +20,9 @@ class CommandLine(unittest.TestCase):
     def path(self, name):
         return os.path.join(self.folder, name)
 
-    def run_tool(self, *arguments, status=0):
-        result = subprocess.run([PROGRAM, *arguments], cwd=self.folder, capture_output=True, text=True, timeout=60)
+    def run_tool(self, *arguments, status=0, environment=None):
+        result = subprocess.run([PROGRAM, *arguments], cwd=self.folder, capture_output=True, text=True, timeout=60,
+                                env={**os.environ, **(environment or {})})
         self.assertEqual(result.returncode, status, f"{arguments}: {result.stdout}{result.stderr}")
         return result
 

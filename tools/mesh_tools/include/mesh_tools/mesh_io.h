@@ -51,16 +51,19 @@ struct TextFile {
 /// @throws FileError
 MeshFile read_mesh(const std::filesystem::path& path);
 
-/// Writes PLY (binary), OBJ, OFF or STL (binary), told by the extension. STL is written by vcglib's exporter, the
-/// others by writers of our own: vcglib's OBJ and OFF lose digits, its PLY is wrong for some attributes in double
-/// precision. The file appears complete or not at all: it is written beside its place, checked, and renamed. Text has
-/// the digits that give the same number back.
+/// Writes PLY (binary), OBJ, OFF or STL (binary), told by the extension, by writers of our own: vcglib's OBJ and OFF
+/// lose digits, its PLY is wrong for some attributes in double precision. The file appears complete or not at all: it
+/// is written beside its place, flushed to the disk, and renamed (see durable_files). An OBJ file's materials go to a
+/// file beside it. Text has the digits that give the same number back.
 /// @param interrupted  asked just before the renaming; true: stop, leave nothing
 /// @param with         a text file that appears together with the mesh, or neither of them
 /// @return             sentences about attributes that the format cannot hold
 /// @throws FileError, WriteInterrupted
 std::vector<std::string> write_mesh(const MeshFile& file, const std::filesystem::path& path,
                                     const std::function<bool()>& interrupted = {}, const TextFile* with = nullptr);
+
+/// The files that write_mesh may write for a mesh at `path`: itself and, of an OBJ file, its materials.
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& path);
 
 /// Throws FileError unless a mesh can be written to `path`: known extension, existing folder, nothing but a regular
 /// file in its place. Cheap: to be asked before long work.

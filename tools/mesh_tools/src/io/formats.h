@@ -14,18 +14,17 @@ MeshFile read_obj(const std::filesystem::path& path);
 MeshFile read_off(const std::filesystem::path& path);
 MeshFile read_stl(const std::filesystem::path& path);
 
-/// The material file of an OBJ file: where it is written, and the name it will have.
-struct Companion {
-  std::filesystem::path path;
-  std::string name;
-  bool written = false;
-};
+/// Writers give the file's bytes.
+std::string ply_bytes(const MeshFile& file);
+std::string off_bytes(const MeshFile& file);
+std::string stl_bytes(const MeshFile& file);
 
-/// Writers return whether all has been written.
-bool write_ply(const MeshFile& file, const std::filesystem::path& path);
-bool write_obj(const MeshFile& file, const std::filesystem::path& path, Companion& companion);
-bool write_off(const MeshFile& file, const std::filesystem::path& path);
-bool write_stl(const MeshFile& file, const std::filesystem::path& path);
+/// An OBJ file and its material file; the latter is empty if there are no materials.
+struct ObjBytes {
+  std::string mesh, materials;
+};
+/// @param material_name  of the material file, as the mesh names it
+ObjBytes obj_bytes(const MeshFile& file, const std::string& material_name);
 
 /// Attributes that a format can hold, as bits of vcg::tri::io::Mask.
 constexpr int vertex_normal = 0x10, vertex_color = 0x4, vertex_quality = 0x8, vertex_texture = 0x20, vertex_flags = 0x2,
@@ -49,6 +48,5 @@ bool is_big_endian_machine();
 
 /// The whole file as bytes.
 std::string read_bytes(const std::filesystem::path& path);
-bool write_bytes(const std::string& bytes, const std::filesystem::path& path);
 
 }  // namespace mesh_tools::io

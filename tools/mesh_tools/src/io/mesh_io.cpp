@@ -7,10 +7,11 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
-#include <optional>
+#include <list>
 #include <system_error>
+#include <utility>
 
+#include <durable_files/pending_file.h>
 #include <vcg/complex/algorithms/update/normal.h>
 
 #include "formats.h"
@@ -55,13 +56,6 @@ std::string read_bytes(const fs::path& path) {
   return bytes;
 }
 
-bool write_bytes(const std::string& bytes, const fs::path& path) {
-  std::ofstream stream(path, std::ios::binary);
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  stream.close();
-  return static_cast<bool>(stream);
-}
-
 }  // namespace io
 
 namespace {
@@ -83,58 +77,41 @@ void check_extension(const fs::path& path) {
 
 void check_place(const fs::path& path) {
   std::error_code error;
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const fs::path target = durable_files::final_target(path);
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, error)) io::fail(path, "cannot be written: there is no folder " + folder.string());
   if (::access(folder.c_str(), W_OK | X_OK) != 0)
     io::fail(path, "cannot be written: folder " + folder.string() + ": " + std::strerror(errno));
-  const fs::file_status status = fs::status(path, error);
+  const fs::file_status status = fs::status(target, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
     io::fail(path, "cannot be written: exists and is not a regular file");
-  if (fs::exists(status) && ::access(path.c_str(), W_OK) != 0)
+  if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0)
     io::fail(path, std::string("cannot be written: ") + std::strerror(errno));
 }
 
-/// A file under construction, hidden beside its final place; removed unless it is put there.
-class PendingFile {
- public:
-  explicit PendingFile(const fs::path& path) {
-    std::error_code error;
-    target_ = fs::is_symlink(path, error) ? fs::canonical(path, error) : path;
-    if (error) target_ = path;
-    pending_ = target_.parent_path() / ("." + target_.filename().string() + "." + std::to_string(::getpid()) + ".part");
+/// Does `write` with its errors as this library's.
+template <class Function>
+void as_file_errors(Function write) {
+  try {
+    write();
+  } catch (const durable_files::WriteError& error) {
+    throw FileError(error.what());
   }
-  PendingFile(const PendingFile&) = delete;
-  PendingFile& operator=(const PendingFile&) = delete;
-  ~PendingFile() {
-    std::error_code error;
-    if (!done_) fs::remove(pending_, error);
-  }
-
-  const fs::path& path() const { return pending_; }
-
-  void put_in_place() {
-    std::error_code error;
-    const fs::file_status old = fs::status(target_, error);
-    if (fs::is_regular_file(old)) fs::permissions(pending_, old.permissions(), error);
-    fs::rename(pending_, target_, error);
-    if (error) io::fail(target_, "cannot be written: " + error.message());
-    done_ = true;
-  }
-
- private:
-  fs::path target_, pending_;
-  bool done_ = false;
-};
-
-[[noreturn]] void fail_incomplete(const fs::path& path) {
-  const int error = errno;  // of the call that failed, if the system told
-  io::fail(path, std::string("could not be written to its end: ") +
-                     (error != 0 ? std::strerror(error) : "is the disk full?"));
 }
 
-void write_pending(const TextFile& file, const PendingFile& pending) {
-  errno = 0;
-  if (!io::write_bytes(file.text, pending.path())) fail_incomplete(file.path);
+/// Writes files that appear together: all are complete and on the disk before the first gets its name, in this order.
+void write_together(const std::vector<TextFile>& files, const std::function<bool()>& interrupted) {
+  as_file_errors([&] {
+    std::list<durable_files::PendingFile> pending;
+    for (const TextFile& file : files) {
+      check_place(file.path);
+      pending.emplace_back(file.path);
+      pending.back().write(file.text);
+      pending.back().complete();
+    }
+    if (interrupted && interrupted()) throw WriteInterrupted();
+    for (durable_files::PendingFile& file : pending) file.put_in_place();
+  });
 }
 
 void check_complete(const Mesh& mesh, const fs::path& path) {
@@ -176,10 +153,17 @@ std::vector<std::string> lost_attributes(int attributes, int capability, const f
 
 void check_writable(const fs::path& path) {
   check_extension(path);
-  check_place(path);
+  check_text_writable(path);
 }
 
-void check_text_writable(const fs::path& path) { check_place(path); }
+void check_text_writable(const fs::path& path) {
+  as_file_errors([&] { check_place(path); });
+}
+
+std::vector<fs::path> files_of(const fs::path& path) {
+  if (extension(path) != ".obj") return {path};
+  return {path, path.string() + ".mtl"};
+}
 
 MeshFile read_mesh(const fs::path& path) {
   check_extension(path);
@@ -203,48 +187,33 @@ MeshFile read_mesh(const fs::path& path) {
 std::vector<std::string> write_mesh(const MeshFile& file, const fs::path& path,
                                     const std::function<bool()>& interrupted, const TextFile* with) {
   check_writable(path);
-  PendingFile pending(path);
-  const fs::path material_path = path.string() + ".mtl";
-  PendingFile pending_material(material_path);
-  io::Companion companion{pending_material.path(), material_path.filename().string()};
   const std::string kind = extension(path);
   int capability = 0;
-  bool complete = false;
-  errno = 0;
+  std::string bytes;
+  std::vector<TextFile> together;
   if (kind == ".ply") {
     capability = io::ply_attributes;
-    complete = io::write_ply(file, pending.path());
+    bytes = io::ply_bytes(file);
   } else if (kind == ".obj") {
     capability = io::obj_attributes;
-    complete = io::write_obj(file, pending.path(), companion);
+    const fs::path material_path = files_of(path).back();
+    io::ObjBytes obj = io::obj_bytes(file, material_path.filename().string());
+    bytes = std::move(obj.mesh);
+    if (!obj.materials.empty()) together.push_back({material_path, std::move(obj.materials)});
   } else if (kind == ".off") {
     capability = io::off_attributes;
-    complete = io::write_off(file, pending.path());
+    bytes = io::off_bytes(file);
   } else {
     capability = io::stl_attributes;
-    complete = io::write_stl(file, pending.path());
+    bytes = io::stl_bytes(file);
   }
-  if (!complete) fail_incomplete(path);
-  std::optional<PendingFile> pending_text;
-  if (with) {
-    check_place(with->path);
-    pending_text.emplace(with->path);
-    write_pending(*with, *pending_text);
-  }
-  if (interrupted && interrupted()) throw WriteInterrupted();
-  if (companion.written) pending_material.put_in_place();
-  if (pending_text) pending_text->put_in_place();
-  pending.put_in_place();
+  if (with) together.push_back(*with);
+  together.push_back({path, std::move(bytes)});  // last: who sees the mesh finds the others
+  write_together(together, interrupted);
   return lost_attributes(file.attributes, capability, path);
 }
 
-void write_text(const TextFile& file, const std::function<bool()>& interrupted) {
-  check_place(file.path);
-  PendingFile pending(file.path);
-  write_pending(file, pending);
-  if (interrupted && interrupted()) throw WriteInterrupted();
-  pending.put_in_place();
-}
+void write_text(const TextFile& file, const std::function<bool()>& interrupted) { write_together({file}, interrupted); }
 
 void update_normals(Mesh& mesh) {
   vcg::tri::UpdateNormal<Mesh>::PerVertexAngleWeighted(mesh);

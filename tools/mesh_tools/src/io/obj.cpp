@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include <vcg/complex/algorithms/update/bounding.h>
@@ -34,8 +35,23 @@ struct Material {
   int page = 0;  // index into the mesh's textures
 };
 
+/// Texture names in the order in which they come first; each has one page.
+class TexturePages {
+ public:
+  int page_of(const std::string& name) {
+    const auto [entry, is_new] = page_of_.try_emplace(name, static_cast<int>(names.size()));
+    if (is_new) names.push_back(name);
+    return entry->second;
+  }
+
+  std::vector<std::string> names;
+
+ private:
+  std::unordered_map<std::string, int> page_of_;
+};
+
 /// What MeshLab takes from a material file: colour, opacity, texture.
-std::vector<Material> read_material_file(const std::filesystem::path& path, std::vector<std::string>& textures) {
+std::vector<Material> read_material_file(const std::filesystem::path& path, TexturePages& textures) {
   const std::string text = read_bytes(path);
   LineReader reader(text, path);
   std::vector<Material> materials;
@@ -48,12 +64,7 @@ std::vector<Material> read_material_file(const std::filesystem::path& path, std:
     if (words[0] == "Kd" && words.size() >= 4)
       for (int k = 0; k < 3; ++k) material.color[k] = to_byte(reader.number(words[1 + k]));
     if (words[0] == "d" || words[0] == "Tr") material.color[3] = to_byte(reader.number(words[1]));
-    if (words[0] == "map_Kd") {
-      const std::string name = rest_of(words);
-      const auto known = std::find(textures.begin(), textures.end(), name);
-      material.page = static_cast<int>(known - textures.begin());
-      if (known == textures.end()) textures.push_back(name);
-    }
+    if (words[0] == "map_Kd") material.page = textures.page_of(rest_of(words));
   }
   return materials;
 }
@@ -163,8 +174,10 @@ class ObjReader {
     if (words.size() < 2) reader_.fail("mtllib without a file name");
     const std::filesystem::path library = path_.parent_path() / rest_of(words);
     try {
-      const std::vector<Material> more = read_material_file(library, file_.mesh.textures);
-      materials_.insert(materials_.end(), more.begin(), more.end());
+      for (Material& material : read_material_file(library, pages_)) {
+        material_of_[material.name] = static_cast<int>(materials_.size());  // of several with one name the last counts
+        materials_.push_back(std::move(material));
+      }
     } catch (const FileError& error) {
       file_.warnings.push_back(std::string(error.what()) + " (colours and textures are lost)");
     }
@@ -173,13 +186,13 @@ class ObjReader {
   void use_material(const Words& words) {
     material_ = -1;
     if (words.size() < 2) return;
-    const std::string name = rest_of(words);
-    for (std::size_t i = 0; i < materials_.size(); ++i)
-      if (materials_[i].name == name) material_ = static_cast<int>(i);
+    const auto known = material_of_.find(rest_of(words));
+    if (known != material_of_.end()) material_ = known->second;
   }
 
   void build() {
     Mesh& mesh = file_.mesh;
+    mesh.textures = std::move(pages_.names);
     if (!positions_.empty()) Allocator::AddVertices(mesh, positions_.size());
     for (std::size_t i = 0; i < positions_.size(); ++i) {
       mesh.vert[i].P() = positions_[i];
@@ -233,6 +246,8 @@ class ObjReader {
   std::vector<Triangle> triangles_;
   std::vector<std::pair<std::int64_t, std::int64_t>> edges_;
   std::vector<Material> materials_;
+  std::unordered_map<std::string, int> material_of_;  // index in materials_ by name
+  TexturePages pages_;
   int material_ = -1;
 };
 
@@ -350,21 +365,19 @@ std::string material_text(const std::map<FaceMaterial, std::size_t>& materials) 
 }
 
 template <class Scalar>
-bool write(const MeshFile& file, const std::filesystem::path& path, Companion& companion) {
+ObjBytes bytes_of(const MeshFile& file, const std::string& material_name) {
   ObjText<Scalar> obj(file.mesh, file.attributes);
-  if (!write_bytes(obj.text(companion.name), path)) return false;
-  if (obj.materials.empty()) return true;
-  companion.written = true;
-  return write_bytes(material_text(obj.materials), companion.path);
+  std::string mesh = obj.text(material_name);
+  return {std::move(mesh), material_text(obj.materials)};
 }
 
 }  // namespace
 
 MeshFile read_obj(const std::filesystem::path& path) { return ObjReader(read_bytes(path), path).read(); }
 
-bool write_obj(const MeshFile& file, const std::filesystem::path& path, Companion& companion) {
-  return file.precision == Precision::double_precision ? write<double>(file, path, companion)
-                                                       : write<float>(file, path, companion);
+ObjBytes obj_bytes(const MeshFile& file, const std::string& material_name) {
+  return file.precision == Precision::double_precision ? bytes_of<double>(file, material_name)
+                                                       : bytes_of<float>(file, material_name);
 }
 
 }  // namespace mesh_tools::io

@@ -71,8 +71,10 @@ MeshFile read_off(const std::filesystem::path& path) {
   const std::string text = read_bytes(path);
   LineReader reader(text, path);
   const Header header = read_header(reader);
-  // A vertex takes at least six bytes and a face as many, so that wrong counts cannot ask for absurd memory.
-  if (static_cast<std::size_t>(header.vertices) > text.size() || static_cast<std::size_t>(header.faces) > text.size())
+  // A vertex takes at least six bytes ("0 0 0" and a line's end) and a face eight, so that wrong counts cannot ask for
+  // more memory than the file's size explains.
+  const std::int64_t size = static_cast<std::int64_t>(text.size()) + 1;  // the last line's end may be missing
+  if (header.vertices > size / 6 || header.faces > size / 8)
     reader.fail("the counts of vertices and faces exceed the file");
   MeshFile file;
   Mesh& mesh = file.mesh;
@@ -165,10 +167,9 @@ std::string off_text(const Mesh& mesh, int attributes) {
 
 }  // namespace
 
-bool write_off(const MeshFile& file, const std::filesystem::path& path) {
-  return write_bytes(file.precision == Precision::double_precision ? off_text<double>(file.mesh, file.attributes)
-                                                                   : off_text<float>(file.mesh, file.attributes),
-                     path);
+std::string off_bytes(const MeshFile& file) {
+  return file.precision == Precision::double_precision ? off_text<double>(file.mesh, file.attributes)
+                                                       : off_text<float>(file.mesh, file.attributes);
 }
 
 }  // namespace mesh_tools::io

@@ -181,9 +181,8 @@ class PlyReader {
     if (!vertex) fail(path, "declares no vertices");
     if (vertex->count == 0) fail(path, "holds no vertices");
     file_.precision = precision_of(*vertex, path);
-    if (vertex->count > bytes.size())
-      fail(path, "is cut off: it cannot hold " + std::to_string(vertex->count) + " vertices");
-    vcg::tri::Allocator<Mesh>::AddVertices(file_.mesh, vertex->count);
+    // Where the file is cut off, reading comes to its end before these are used up, and says where.
+    vcg::tri::Allocator<Mesh>::AddVertices(file_.mesh, std::min(vertex->count, data_.most_rows(*vertex)));
   }
 
   MeshFile read() {
@@ -272,7 +271,7 @@ class PlyReader {
     const Roles roles(element, known_of_face);
     const std::vector<double> none;
     file_.mesh.face.reserve(
-        std::min(element.count, data_.most_rows(element, *list, 3)));  // the header may say too much
+        std::min(element.count, data_.most_rows(element, &*list, 3)));  // the header may say too much
     for (std::size_t i = 0; i < element.count; ++i) {
       data_.read(element, i, row_);
       const std::vector<double>& corners = row_.list[static_cast<std::size_t>(list - properties.begin())];
@@ -520,10 +519,9 @@ class PlyText {
 
 }  // namespace
 
-bool write_ply(const MeshFile& file, const std::filesystem::path& path) {
-  return write_bytes(file.precision == Precision::double_precision ? PlyText<double>(file.mesh, file.attributes).bytes()
-                                                                   : PlyText<float>(file.mesh, file.attributes).bytes(),
-                     path);
+std::string ply_bytes(const MeshFile& file) {
+  return file.precision == Precision::double_precision ? PlyText<double>(file.mesh, file.attributes).bytes()
+                                                       : PlyText<float>(file.mesh, file.attributes).bytes();
 }
 
 }  // namespace mesh_tools::io

@@ -78,14 +78,17 @@ bool parse_whole(std::string_view word, Type type, double& result) {
 PlyData::PlyData(const std::string& bytes, const PlyLayout& layout, const std::filesystem::path& path)
     : layout_(layout), path_(path), at_(bytes.data() + layout.data_offset), end_(bytes.data() + bytes.size()) {}
 
-std::size_t PlyData::most_rows(const PlyLayout::Element& element, const PlyLayout::Property& list,
+/// As text a number takes a digit and a space.
+std::size_t PlyData::fewest_bytes(Type type) const {
+  return layout_.format == PlyLayout::Format::ascii ? 2 : size_of(type);
+}
+
+std::size_t PlyData::most_rows(const PlyLayout::Element& element, const PlyLayout::Property* list,
                                std::size_t entries) const {
-  // As text a number takes a digit and a space.
-  const auto fewest = [&](Type type) { return layout_.format == PlyLayout::Format::ascii ? 2 : size_of(type); };
-  std::size_t bytes = entries * fewest(list.type);
+  std::size_t bytes = list ? entries * fewest_bytes(list->type) : 0;
   for (const PlyLayout::Property& property : element.properties)
-    bytes += fewest(property.is_list ? property.count_type : property.type);
-  return static_cast<std::size_t>(end_ - at_) / bytes + 1;  // the last space may be missing
+    bytes += fewest_bytes(property.is_list ? property.count_type : property.type);
+  return (static_cast<std::size_t>(end_ - at_) + 1) / bytes;  // the last space may be missing
 }
 
 void PlyData::read(const PlyLayout::Element& element, std::size_t index, Row& row) {
@@ -105,8 +108,8 @@ void PlyData::read(const PlyLayout::Element& element, std::size_t index, Row& ro
 void PlyData::read_list(const PlyLayout::Property& property, std::vector<double>& list) {
   const double count = take(property.count_type);
   if (count < 0) fail_here("has a list of negative length");
-  // An entry takes a byte at least, so that a wrong length cannot ask for absurd memory.
-  if (count > static_cast<double>(end_ - at_)) fail_cut_off();
+  // Before memory is asked for: the length may be wrong.
+  if (count * static_cast<double>(fewest_bytes(property.type)) > static_cast<double>(end_ - at_) + 1) fail_cut_off();
   list.resize(static_cast<std::size_t>(count));
   for (double& value : list) value = take(property.type);
 }
@@ -127,7 +130,7 @@ double PlyData::take_text(Type type) {
     if (!parse_whole(word, type, value))
       fail_here("has '" + printable(word) + "' where a whole number of the declared type is needed");
   } else if (!(type == Type::float32 ? parse_real<float>(word, value) : parse_real<double>(word, value))) {
-    fail_here("has a value that is none: '" + printable(word) + "' is not a number");
+    fail_here("has an entry that cannot be read: '" + printable(word) + "' is not a number");
   }
   return value;
 }

@@ -15,7 +15,7 @@ class PlyData {
   /// All three are referred to, not copied.
   PlyData(const std::string& bytes, const PlyLayout& layout, const std::filesystem::path& path);
 
-  /// One row: a number for each property that is none of a list, a list for each that is one; by index of property.
+  /// One row: a list for each property that is one, a number for each other; by index of property.
   struct Row {
     std::vector<double> number;
     std::vector<std::vector<double>> list;
@@ -25,7 +25,8 @@ class PlyData {
   void read(const PlyLayout::Element& element, std::size_t index, Row& row);
 
   /// How many rows of `element` what is left of the file can hold, if `list` has at least so many entries in each.
-  std::size_t most_rows(const PlyLayout::Element& element, const PlyLayout::Property& list, std::size_t entries) const;
+  std::size_t most_rows(const PlyLayout::Element& element, const PlyLayout::Property* list = nullptr,
+                        std::size_t entries = 0) const;
 
   /// "element ROW what" as a FileError.
   [[noreturn]] void fail_at_row(const PlyLayout::Element& element, std::size_t index, const std::string& what) const;
@@ -35,6 +36,7 @@ class PlyData {
   double take_text(PlyLayout::Type type);
   double take_binary(PlyLayout::Type type);
   void read_list(const PlyLayout::Property& property, std::vector<double>& list);
+  std::size_t fewest_bytes(PlyLayout::Type type) const;
   [[noreturn]] void fail_cut_off() const;
   [[noreturn]] void fail_here(const std::string& what) const { fail_at_row(*element_, index_, what); }
 

@@ -1,5 +1,5 @@
-// STL, text and binary. Written by vcglib; read here, because vcglib's reader runs past its buffer on any header
-// without a zero byte, and trusts the number of facets.
+// STL, text and binary. vcglib's reader is not used: it runs past its buffer on any header without a zero byte, and
+// trusts the number of facets.
 
 #include <algorithm>
 #include <array>
@@ -7,11 +7,9 @@
 #include <cstring>
 #include <unordered_map>
 
-#include <mesh_tools/mesh.h>  // these two first: the headers of vcglib below need them
-#include <wrap/io_trimesh/io_mask.h>
+#include <mesh_tools/mesh.h>  // first: the header of vcglib below needs it
 
 #include <vcg/complex/algorithms/update/bounding.h>
-#include <wrap/io_trimesh/export_stl.h>
 
 #include "formats.h"
 #include "text.h"
@@ -20,6 +18,7 @@ namespace mesh_tools::io {
 namespace {
 
 constexpr std::size_t header_size = 84, facet_size = 50;
+constexpr std::uint16_t is_color = 0x8000;  // of a facet's attribute
 
 std::size_t facet_count(const std::string& bytes) {
   std::uint32_t count = 0;
@@ -141,7 +140,6 @@ MeshFile read_stl(const std::filesystem::path& path) {
   file.precision = Precision::single_precision;
   build(facets, file.mesh);
   const bool red_first = has_red_first(bytes);
-  constexpr std::uint16_t is_color = 0x8000;
   for (std::size_t i = 0; i < facets.size(); ++i) {
     const std::uint16_t attribute = facets[i].attribute;
     if (!(attribute & is_color)) continue;
@@ -153,12 +151,29 @@ MeshFile read_stl(const std::filesystem::path& path) {
   return file;
 }
 
-bool write_stl(const MeshFile& file, const std::filesystem::path& path) {
-  Mesh& mesh = const_cast<Mesh&>(file.mesh);  // the exporter takes what it only reads by a reference that is not const
-  const int mask = file.attributes & face_color;
-  if (vcg::tri::io::ExporterSTL<Mesh>::Save(mesh, path.c_str(), true, mask) != 0) return false;
-  std::error_code error;
-  return std::filesystem::file_size(path, error) == header_size + facet_size * static_cast<std::size_t>(mesh.fn);
+std::string stl_bytes(const MeshFile& file) {
+  std::string bytes = "VCG";
+  bytes.resize(header_size - sizeof(std::uint32_t), ' ');
+  bytes.reserve(header_size + facet_size * static_cast<std::size_t>(file.mesh.fn));
+  const auto append = [&bytes](auto value) {
+    char raw[sizeof value];
+    std::memcpy(raw, &value, sizeof value);
+    if (is_big_endian_machine()) std::reverse(raw, raw + sizeof value);
+    bytes.append(raw, sizeof value);
+  };
+  const auto append_point = [&append](const vcg::Point3d& p) {
+    for (int k = 0; k < 3; ++k) append(static_cast<float>(p[k]));
+  };
+  append(static_cast<std::uint32_t>(file.mesh.fn));
+  for (const auto& face : file.mesh.face) {
+    if (face.IsD()) continue;
+    append_point(vcg::TriangleNormal(face).Normalize());
+    for (int k = 0; k < 3; ++k) append_point(face.cP(k));
+    vcg::Color4b color = face.cC();
+    const bool colored = file.attributes & face_color;
+    append(static_cast<std::uint16_t>(colored ? is_color | vcg::Color4b::ToUnsignedB5G5R5(color) : 0));
+  }
+  return bytes;
 }
 
 }  // namespace mesh_tools::io
