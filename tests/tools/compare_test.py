@@ -134,6 +134,26 @@ class Compare(unittest.TestCase):
         self.assertEqual(result.stderr, "warning: no pictures: xvfb-run ended with status 7: cannot open display\n")
         self.assertEqual(len(list((self.folder / "failed").iterdir())), len(METHODS) + 2)
 
+    def test_a_status_is_kept_where_the_parent_ignores_those_of_children(self):
+        programs = self.folder / "failing"
+        programs.mkdir()
+        for name in RENDERERS:
+            (programs / name).write_text("#!/bin/sh\necho no light\nexit 7\n")
+            (programs / name).chmod(0o755)
+        done = subprocess.run([PROGRAM, "compare", "noisy.ply", "--out", "orphaned"], cwd=self.folder, capture_output=True,
+                              text=True, timeout=110, env=dict(os.environ, PATH=f"{programs}:{os.environ['PATH']}"),
+                              preexec_fn=lambda: signal.signal(signal.SIGCHLD, signal.SIG_IGN))
+        self.assertEqual((done.returncode, done.stderr),
+                         (0, "warning: no pictures: xvfb-run ended with status 7: no light\n"))
+        self.assertFalse((self.folder / "orphaned/figure9.png").exists())
+
+    def test_names_that_are_not_utf_8(self):
+        name = b"a\xff.ply"
+        shutil.copy(self.folder / "noisy.ply", os.path.join(os.fsencode(self.folder), name))
+        self.tool("compare", name, "clean.ply", "--out", "odd", "--no-pictures")
+        self.assertEqual(self.report("odd")["noisy"], "a\ufffd.ply")
+        self.assertEqual(len(list((self.folder / "odd").iterdir())), len(METHODS) + 2)
+
     def test_failures_leave_no_folder(self):
         self.tool("generate", "cad_part", "other.ply", "--vertices", "2500")
         self.tool("generate", "sphere", "sphere.ply", "--vertices", "500")

@@ -79,4 +79,8 @@ ordered_json to_json(const mesh_tools::Measurement& figures) {
   return json;
 }
 
+std::string json_text(const ordered_json& json) {
+  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace anisosmooth

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include <nlohmann/json.hpp>
 
 #include <mesh_tools/measure.h>
@@ -14,5 +16,8 @@ nlohmann::ordered_json to_json(const mesh_tools::Measurement& figures);
 
 /// The parameters that a method obeys, by name.
 nlohmann::ordered_json to_json(const vcg_core::MethodInfo& method, const vcg_core::SmoothingParameters& parameters);
+
+/// The text of a JSON file. A file name's bytes that are not UTF-8, which JSON cannot hold, become U+FFFD.
+std::string json_text(const nlohmann::ordered_json& json);
 
 }  // namespace anisosmooth

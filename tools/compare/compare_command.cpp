@@ -10,6 +10,7 @@
 #include "comparison.h"
 #include "comparison_text.h"
 #include "interrupt.h"
+#include "json_figures.h"
 #include "mesh_output.h"
 #include "pictures.h"
 #include "progress_bar.h"
@@ -74,7 +75,7 @@ void write_reports(const Options& options, const Comparison& comparison, const P
   if (!options.reference.empty()) json["reference"] = options.reference;
   json.update(to_json(comparison));
   json["pictures"] = pictures.files;
-  write_output(mesh_tools::TextFile{folder / "report.json", json.dump(2) + "\n"});
+  write_output(mesh_tools::TextFile{folder / "report.json", json_text(json)});
   const auto name = [](const std::string& path) { return fs::path(path).filename().string(); };
   write_output(mesh_tools::TextFile{
       folder / "report.md", to_markdown(comparison, name(options.noisy), name(options.reference), pictures.files)});

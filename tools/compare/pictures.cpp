@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 
 #include <unistd.h>
 
+#include <durable_files/replace_file.h>
 #include <vcg_core/errors.h>
 
 #include "camera.h"
@@ -26,11 +30,14 @@ using Color = std::array<double, 3>;
 constexpr int tile_pixels = 300;
 constexpr const char* font = "DejaVu-Sans";
 
-/// A folder beside the results that goes when the work is over.
+/// A folder beside the results, new and of an unpredictable name, that goes when the work is over.
 class WorkFolder {
  public:
-  explicit WorkFolder(const fs::path& parent) : path_(parent / (".pictures-" + std::to_string(::getpid()))) {
-    fs::create_directory(path_);
+  explicit WorkFolder(const fs::path& parent) {
+    std::string name = (parent / ".pictures-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+      throw std::runtime_error(parent.string() + ": no folder can be made in it: " + std::strerror(errno));
+    path_ = name;
   }
   ~WorkFolder() {
     std::error_code ignored;
@@ -268,7 +275,7 @@ Pictures draw_pictures(const Comparison& comparison, const View& view, const fs:
     studio.join_figure_9();
     studio.join_errors();
     for (const char* name : {"figure9.png", "errors.png"}) {
-      fs::rename(studio.folder() / name, folder / name);
+      durable_files::replace_file(studio.folder() / name, durable_files::final_target(folder / name));
       pictures.files.emplace_back(name);
     }
   } catch (const vcg_core::Cancelled&) {

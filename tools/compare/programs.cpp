@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -26,17 +27,38 @@ bool has_program(const std::string& name) {
 
 namespace {
 
+/// While it lives, the programs that end leave their status, also where the parent of this process had it ignore them.
+class KeptStatuses {
+ public:
+  KeptStatuses() {
+    struct sigaction plain = {};
+    plain.sa_handler = SIG_DFL;
+    ::sigaction(SIGCHLD, &plain, &before_);
+  }
+  ~KeptStatuses() { ::sigaction(SIGCHLD, &before_, nullptr); }
+  KeptStatuses(const KeptStatuses&) = delete;
+  KeptStatuses& operator=(const KeptStatuses&) = delete;
+
+ private:
+  struct sigaction before_ = {};
+};
+
 /// The status of the program once it has ended; ends it, with all that it has started, when `stop` says so.
 int wait_for(pid_t process, const std::function<bool()>& stop) {
-  constexpr std::chrono::milliseconds between_looks(20);
+  constexpr std::chrono::milliseconds between_polls(20);
   int status = 0;
-  while (::waitpid(process, &status, WNOHANG) == 0) {
+  pid_t ended = 0;
+  bool stopped = false;
+  while (ended != process) {
+    ended = ::waitpid(process, &status, stopped ? 0 : WNOHANG);
+    if (ended < 0 && errno != EINTR) throw std::runtime_error("the status of a program is lost");
+    if (ended != 0) continue;
     if (stop()) {
       ::kill(-process, SIGTERM);
-      ::waitpid(process, &status, 0);
-      break;
+      stopped = true;
+    } else {
+      std::this_thread::sleep_for(between_polls);
     }
-    std::this_thread::sleep_for(between_looks);
   }
   return status;
 }
@@ -64,6 +86,7 @@ int run_program(const std::vector<std::string>& command, const std::filesystem::
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   posix_spawnattr_setpgroup(&attributes, 0);
+  const KeptStatuses scope;
   pid_t process = 0;
   const int error = posix_spawnp(&process, "sh", &actions, &attributes, arguments.data(), environ);
   posix_spawnattr_destroy(&attributes);
