@@ -5,12 +5,17 @@ import math
 import os
 import pty
 import signal
+import stat
 import struct
 import subprocess
+import sys
 import time
 import unittest
 
-from command_line import PROGRAM, CommandLine
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+
+import decimal_comma  # noqa: E402
+from command_line import FORMATS, PROGRAM, CommandLine  # noqa: E402
 
 
 def read_ply(path):
@@ -150,6 +155,40 @@ class Subcommands(CommandLine):
         self.run_tool("noise", "noisy.ply", "noisy.stl", "--level", "0")
         self.run_tool("smooth", "noisy.stl", "smooth.stl")
         self.assertGreater(os.path.getsize(self.path("smooth.stl")), 84)
+
+    def test_a_locale_with_a_decimal_comma_changes_nothing(self):
+        self.noisy("cube", "400")
+        german = decimal_comma.environment(self.path("locale"))
+        printed = {}
+        for name, environment in (("c", {"LC_ALL": "C.UTF-8"}), ("german", german)):
+            os.mkdir(self.path(name))
+            printed[name] = []
+            for kind in FORMATS:
+                commands = (("noise", "noisy.ply", f"{name}/noisy.{kind}", "--level", "0.1"),
+                            ("smooth", f"{name}/noisy.{kind}", f"{name}/smooth.{kind}", "--sigma-n", "0.25", "--report",
+                             f"{name}/{kind}.json"),
+                            ("measure", f"{name}/noisy.{kind}", f"{name}/smooth.{kind}"))
+                printed[name] += [self.run_tool(*command, environment=environment).stdout for command in commands]
+        self.assertEqual([text.replace("german/", "c/") for text in printed["german"]], printed["c"])
+        files = os.listdir(self.path("c"))
+        self.assertEqual(len(files), 3 * len(FORMATS))
+        for file in files:
+            self.assertEqual(self.bytes_of(f"german/{file}"), self.bytes_of(f"c/{file}"), file)
+
+    def test_an_output_that_is_a_link_is_written_to_its_target(self):
+        self.noisy("cube", "400")
+        os.mkdir(self.path("deep"))
+        os.symlink("deep/mesh.ply", self.path("link.ply"))
+        for _ in range(2):  # the target is not there at first
+            self.run_tool("smooth", "noisy.ply", "link.ply", "--report", "link.json")
+            self.assertTrue(stat.S_ISLNK(os.lstat(self.path("link.ply")).st_mode))
+            self.assertFalse(os.path.islink(self.path("deep/mesh.ply")))
+        self.run_tool("smooth", "noisy.ply", "plain.ply")
+        self.assertEqual(self.bytes_of("deep/mesh.ply"), self.bytes_of("plain.ply"))
+        os.symlink("none/mesh.ply", self.path("lost.ply"))
+        self.expect_failure("smooth", "noisy.ply", "lost.ply", says=("lost.ply", "no folder", "none"))
+        os.symlink("round.ply", self.path("round.ply"))
+        self.expect_failure("smooth", "noisy.ply", "round.ply", says=("round.ply", "symbolic links"))
 
     def test_attributes_come_through_byte_for_byte(self):
         self.noisy("cube", "400")
@@ -303,6 +342,15 @@ class Subcommands(CommandLine):
         self.expect_failure("smooth", "nan.off", "x.ply", says="finite")
         self.expect_failure("smooth", "noisy.ply", "x.ply", "--report", "none/r.json", says="none/r.json")
         self.expect_failure("smooth", "noisy.ply", "x.ply", "--report", "x.ply", says="another file")
+        for report in ("./x.ply", "noisy.ply", "link.json"):  # the link leads to the output, which is not there yet
+            if report == "link.json":
+                os.symlink("x.ply", self.path(report))
+            self.expect_failure("smooth", "noisy.ply", "x.ply", "--report", report, says="another file")
+        for output in ("x.obj", "x.OBJ"):  # it belongs to the output, with materials or without
+            for report in (f"{output}.mtl", f"./{output}.mtl"):
+                self.expect_failure("smooth", "noisy.ply", output, "--report", report, says=(report, "materials"))
+        self.run_tool("noise", "noisy.ply", "y.obj", "--level", "0")
+        self.expect_failure("smooth", "y.obj", "x.ply", "--report", "y.obj.mtl", says="another file")
         self.expect_failure("measure", "noisy.ply", "points.ply", says="no faces")
         self.run_tool("generate", "cube", "other.ply", "--vertices", "500")
         self.expect_failure("measure", "noisy.ply", "other.ply", says="same connectivity")
@@ -326,7 +374,8 @@ class Subcommands(CommandLine):
 
     def interrupt(self, number, delay):
         process = subprocess.Popen([PROGRAM, "smooth", "noisy.ply", "x.ply", "--sigma-c", "8", "--iterations", "50"],
-                                   cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                                   cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL))
         time.sleep(delay)
         process.send_signal(number)
         start = time.monotonic()
@@ -339,10 +388,20 @@ class Subcommands(CommandLine):
         with open(self.path("x.ply"), "w") as file:
             file.write("precious")
         before = sorted(os.listdir(self.folder))
-        for number in (signal.SIGINT, signal.SIGTERM):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             self.assertLess(self.interrupt(number, 1.0), 5)
             self.assertEqual(self.bytes_of("x.ply"), b"precious")
             self.assertEqual(sorted(os.listdir(self.folder)), before)
+
+    def test_who_was_started_to_outlive_the_terminal_does(self):
+        self.noisy("cad_part", "20000")
+        process = subprocess.Popen([PROGRAM, "smooth", "noisy.ply", "x.ply", "--sigma-c", "4"], cwd=self.folder,
+                                   preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))  # as nohup does
+        while process.poll() is None:
+            process.send_signal(signal.SIGHUP)
+            time.sleep(0.05)
+        self.assertEqual(process.returncode, 0)
+        self.assertTrue(os.path.exists(self.path("x.ply")))
 
     def test_progress_is_a_bar_on_a_terminal_only(self):
         self.noisy("cad_part", "20000")

@@ -1,4 +1,4 @@
-"""SIGINT and SIGTERM at many moments of every subcommand: status 130, nothing half written, nothing lost."""
+"""SIGINT, SIGTERM and SIGHUP at many moments of every subcommand: status 130, nothing half written, nothing lost."""
 
 import os
 import re
@@ -27,7 +27,7 @@ def catches_signals(process):
     """Whether the program has come to the point where it handles signals; before that the system ends it."""
     with open(f"/proc/{process.pid}/status") as file:
         caught = re.search(r"SigCgt:\s*([0-9a-f]+)", file.read())
-    return bool(int(caught.group(1), 16) >> (signal.SIGTERM - 1) & 1)
+    return bool(int(caught.group(1), 16) >> (signal.SIGHUP - 1) & 1)  # the last one that it asks for
 
 
 class Interrupts(CommandLine):
@@ -49,7 +49,8 @@ class Interrupts(CommandLine):
 
     def start(self, arguments):
         process = subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.PIPE, env={**os.environ, "TMPDIR": self.path("temporary")})
+                                   stderr=subprocess.PIPE, env={**os.environ, "TMPDIR": self.path("temporary")},
+                                   preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL))  # not as by nohup
         while process.poll() is None and not catches_signals(process):
             time.sleep(0.001)
         return process
@@ -80,7 +81,7 @@ class Interrupts(CommandLine):
             for name in results:
                 with open(self.path(name), "wb") as file:
                     file.write(old[name])
-            number = (signal.SIGINT, signal.SIGTERM)[moment % 2]
+            number = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)[moment % 3]
             status = self.interrupt(arguments, duration * moment / MOMENTS, number)
             interrupted += status == 130
             found = self.files()

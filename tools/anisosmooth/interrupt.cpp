@@ -24,6 +24,8 @@ extern "C" void on_interrupt(int) {
 void handle_interrupts() {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
+  // Whoever starts a program with nohup wants it to outlive the terminal.
+  if (std::signal(SIGHUP, on_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 
 bool interrupted() { return was_interrupted != 0; }

@@ -2,8 +2,8 @@
 
 namespace anisosmooth {
 
-/// From here on SIGINT and SIGTERM end the program with status 130: at once, or, while a CooperativeInterrupt lives,
-/// when the program next asks interrupted().
+/// From here on SIGINT, SIGTERM and SIGHUP (the terminal was closed; not if it was ignored, as by nohup) end the
+/// program with status 130: at once, or, while a CooperativeInterrupt lives, when the program next asks interrupted().
 void handle_interrupts();
 
 bool interrupted();

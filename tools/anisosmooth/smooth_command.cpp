@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include <durable_files/replace_file.h>
 #include <mesh_tools/mesh_io.h>
 #include <vcg_core/smoothing_parameters.h>
 
@@ -113,9 +114,14 @@ void print_summary(const Options& options, const MethodInfo& method, const Smoot
 void check_report_path(const Options& options) {
   if (options.report.empty()) return;
   namespace fs = std::filesystem;
+  const auto place = [](const fs::path& path) {
+    return fs::weakly_canonical(fs::absolute(durable_files::final_target(path)));
+  };
   for (const std::string& mesh : {options.input, options.output})
-    if (fs::weakly_canonical(options.report) == fs::weakly_canonical(mesh))
-      throw BadValue("report is '" + options.report + "'; it must be another file than the meshes");
+    for (const fs::path& file : mesh_tools::files_of(mesh))
+      if (place(options.report) == place(file))
+        throw BadValue("report is '" + options.report +
+                       "'; it must be another file than the meshes and their materials");
   mesh_tools::check_text_writable(options.report);
 }
 
