@@ -1,5 +1,6 @@
 """What the plugin's tests share: where things are, a private MeshLab with our plugin, a display of its own."""
 
+import contextlib
 import os
 import pathlib
 import re
@@ -38,20 +39,29 @@ class MeshLab:
     def __init__(self, folder):
         self.home = folder / "home"
         self.home.mkdir(parents=True)
+        self.locale = {"LC_ALL": "C.UTF-8"}
 
     def environment(self, display):
-        """No setting of the user is read or written; texts and numbers as in the C locale."""
+        """No setting of the user is read or written; texts and numbers as in the C locale, unless a test asks for another."""
         runtime = self.home / "runtime"
         runtime.mkdir(mode=0o700, exist_ok=True)
         return {**os.environ, "DISPLAY": display, "HOME": str(self.home), "XDG_RUNTIME_DIR": str(runtime),
                 "XDG_CONFIG_HOME": str(self.home / "config"), "XDG_DATA_HOME": str(self.home / "data"),
-                "LC_ALL": "C.UTF-8", "LIBGL_ALWAYS_SOFTWARE": "1", "QT_LOGGING_RULES": ""}
+                "LIBGL_ALWAYS_SOFTWARE": "1", "QT_LOGGING_RULES": "", **self.locale}
 
-    def _run(self, command, display, timeout=60, preexec_fn=None):
+    @contextlib.contextmanager
+    def in_locale(self, variables):
+        before, self.locale = self.locale, variables
+        try:
+            yield
+        finally:
+            self.locale = before
+
+    def _run(self, command, display, timeout=60, preexec_fn=None, cwd=None, **variables):
         """The finished process, with what it printed on both streams in `stdout`."""
-        return subprocess.run([str(word) for word in command], env=self.environment(display), stdout=subprocess.PIPE,
-                              check=False, stderr=subprocess.STDOUT, text=True, errors="replace", timeout=timeout,
-                              preexec_fn=preexec_fn)
+        return subprocess.run([str(word) for word in command], env={**self.environment(display), **variables}, cwd=cwd,
+                              stdout=subprocess.PIPE, check=False, stderr=subprocess.STDOUT, text=True, errors="replace",
+                              timeout=timeout, preexec_fn=preexec_fn)
 
 
 class PrivateMeshLab(MeshLab):
@@ -99,8 +109,8 @@ class InstalledMeshLab(MeshLab):
         plugins.mkdir(parents=True)
         shutil.copy(PLUGIN, plugins)
 
-    def apply_mlx(self, *arguments):
-        return self._run([APPLY_MLX, *arguments], display="")
+    def apply_mlx(self, *arguments, cwd=None, **variables):
+        return self._run([APPLY_MLX, *arguments], display="", cwd=cwd, **variables)
 
     def apply(self, _display, script, source, target, _save=()):
         """Applies a script to a file, without a display; attributes are written if the mesh has them."""

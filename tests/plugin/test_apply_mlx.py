@@ -5,12 +5,21 @@ is wrong."""
 import os
 import pathlib
 import re
+import signal
+import struct
 import subprocess
+import sys
+import time
 import unittest
+import zlib
 
-import ply
-import scripts
-from environment import APPLY_MLX, PLUGIN, SOURCE, fresh_work_folder, make_meshlab, run_tool
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "support"))
+
+import decimal_comma  # noqa: E402
+import flushes  # noqa: E402
+import ply  # noqa: E402
+import scripts  # noqa: E402
+from environment import APPLY_MLX, PLUGIN, SOURCE, fresh_work_folder, make_meshlab, run_tool  # noqa: E402
 
 
 def setUpModule():
@@ -115,6 +124,201 @@ class Done(unittest.TestCase):
         self.assertTrue(link.is_symlink())
         self.assertEqual(real.stat().st_mode & 0o777, 0o640)
         self.assertEqual(ply.positions(real), ply.positions(smoothed_by_tool(noisy, "linked")))
+
+    def test_a_link_to_nothing_stays_a_link_and_its_target_is_made(self):
+        link = work / "dangling.ply"
+        link.symlink_to("made.ply")
+        self.applied(write_script("dangling", (scripts.SMOOTHING, [])), target=link)
+        self.assertTrue(link.is_symlink())
+        self.assertEqual(ply.positions(work / "made.ply"), ply.positions(smoothed_by_tool(noisy, "dangling")))
+
+    def test_file_names_of_the_users_language(self):
+        """In a locale with a decimal comma, where the numbers stay as in C and the names stay the user's."""
+        script = write_script("umlaut", (scripts.SMOOTHING, []))
+        source, target = work / "Tür.off", work / "Türgröße.off"
+        run_tool("noise", noisy, source, "--level", "0")
+        self.applied(script, source, work / "plain.off")
+        with meshlab.in_locale(decimal_comma.environment(work / "locale")):
+            self.applied(script, source, target)
+        self.assertEqual(target.read_bytes(), (work / "plain.off").read_bytes())
+
+
+def png(value):
+    """A picture of 2 by 2 pixels, with a remark that a writer of pictures would not write again."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    pixels = 2 * (b"\0" + 6 * bytes([value]))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 2, 2, 8, 2, 0, 0, 0)) +
+            chunk(b"tEXt", b"Comment\0painted by hand") + chunk(b"IDAT", zlib.compress(pixels)) + chunk(b"IEND", b""))
+
+
+class Textures(unittest.TestCase):
+    """Textures in folders of their own: they arrive beside the mesh or in folders below it, and nowhere else."""
+
+    def setUp(self):
+        self.top = work / self._testMethodName
+        self.models = self.top / "project/scans/models/part"
+        self.out = self.top / "results/deep/er"
+        self.models.mkdir(parents=True)
+        self.out.mkdir(parents=True)
+        self.script = write_script("textured", ("Invert Faces Orientation", []))
+
+    def model(self, *names):
+        """An OBJ of one square for each texture's name."""
+        lines, materials = ["mtllib model.mtl"], []
+        for i, name in enumerate(names):
+            materials += [f"newmtl m{i}", "Kd 1 1 1", f"map_Kd {name}"]
+            for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                lines += [f"v {x + 0.5} {y} {i}", f"vt {x} {y}"]
+            lines.append(f"usemtl m{i}")
+            lines += [f"f {a}/{a} {b}/{b} {c}/{c}" for a, b, c in ((4 * i + 1, 4 * i + 2, 4 * i + 3),
+                                                                   (4 * i + 1, 4 * i + 3, 4 * i + 4))]
+        (self.models / "model.obj").write_text("\n".join([*lines, ""]))
+        (self.models / "model.mtl").write_text("\n".join([*materials, ""]))
+        return self.models / "model.obj"
+
+    def picture(self, name, value):
+        path = self.models / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(png(value))
+        return path
+
+    def files(self):
+        return {path.relative_to(self.top).as_posix(): path.read_bytes() for path in self.top.rglob("*") if path.is_file()}
+
+    def applied(self, source, target, **options):
+        """The files that are new or other than before, and what was printed."""
+        before = self.files()
+        done = meshlab.apply_mlx("-i", source, "-o", target, "-s", self.script, **options)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        after = self.files()
+        self.assertEqual(set(before) - set(after), set())
+        return {name: content for name, content in after.items() if before.get(name) != content}, done.stdout
+
+    def expect_result(self, found, **textures):
+        """In the results' folder the mesh, its materials and these textures, given by their picture's value."""
+        names = {f"results/deep/er/{name}": png(value) for name, value in textures.items()}
+        self.assertEqual(set(found), {"results/deep/er/out.obj", "results/deep/er/out.obj.mtl", *names})
+        for name, content in names.items():
+            self.assertEqual(found[name], content, name)
+
+    def named(self):
+        """The textures that the result names."""
+        return re.findall(r"^map_Kd (.*)$", (self.out / "out.obj.mtl").read_text(), re.MULTILINE)
+
+    def test_folders_below_the_mesh_stay(self):
+        self.picture("textures/fine/wood.png", 10)
+        self.picture("stone.png", 20)
+        source = self.model("textures/fine/wood.png", "stone.png")
+        found, _ = self.applied(source, self.out / "out.obj")
+        self.expect_result(found, **{"textures/fine/wood.png": 10, "stone.png": 20})
+        self.assertEqual(self.named(), ["textures/fine/wood.png", "stone.png"])
+        self.assertEqual(self.applied(source, self.out / "out.obj")[0], {}, "nothing changes the second time")
+        found, _ = self.applied(source, self.models / "other.obj")
+        self.assertEqual({pathlib.Path(name).name for name in found}, {"other.obj", "other.obj.mtl"})
+
+    def test_in_ply_too(self):
+        self.picture("textures/wood.png", 10)
+        found, _ = self.applied(self.model("textures/wood.png"), self.out / "out.ply")
+        self.assertEqual(set(found), {"results/deep/er/out.ply", "results/deep/er/textures/wood.png"})
+        self.assertIn(b"comment TextureFile textures/wood.png\n", found["results/deep/er/out.ply"])
+
+    def test_names_that_lead_out_lose_their_directory(self):
+        for number, name in enumerate(("../tex/wood.png", "../../../x.png", "a/../../b.png", self.top / "absolute.png")):
+            with self.subTest(name):
+                self.picture(name, number)
+                base = pathlib.Path(name).name
+                for place in ("results/deep/tex/wood.png", "x.png", "results/deep/b.png"):  # where they would go
+                    (self.top / place).parent.mkdir(exist_ok=True)
+                    (self.top / place).write_text("precious")
+                found, _ = self.applied(self.model(name), self.out / "out.obj")
+                picture = found["results/deep/er/" + base]
+                self.assertTrue(picture.startswith(b"\x89PNG"))
+                if base != "absolute.png":  # of an absolute name MeshLab itself keeps the picture alone, not its place
+                    self.assertEqual(picture, png(number))
+                self.assertLessEqual(set(found), {"results/deep/er/" + file for file in ("out.obj", "out.obj.mtl", base)})
+                self.assertEqual(self.named(), [base])
+
+    def test_what_is_in_its_place_already_stays(self):
+        self.picture("../tex/wood.png", 1)
+        self.picture("textures/stone.png", 2)
+        source = self.model("../tex/wood.png", "textures/stone.png")
+        for target in (self.models / "other.obj", source):
+            found, _ = self.applied(source, target)
+            self.assertLessEqual({pathlib.Path(name).name for name in found}, {target.name, target.name + ".mtl"})
+            text = (self.models / (target.name + ".mtl")).read_text()
+            self.assertEqual(re.findall(r"^map_Kd (.*)$", text, re.MULTILINE), ["../tex/wood.png", "textures/stone.png"])
+
+    def test_a_name_that_somebody_else_has_is_not_taken(self):
+        self.picture("wood.png", 1)
+        self.picture("../wood.png", 2)
+        self.picture("../stone.png", 3)
+        (self.out / "stone.png").write_text("precious")
+        found, _ = self.applied(self.model("wood.png", "../wood.png", "../stone.png"), self.out / "out.obj")
+        self.expect_result(found, **{"wood.png": 1, "wood_1.png": 2, "stone_1.png": 3})
+        self.assertEqual(self.named(), ["wood.png", "wood_1.png", "stone_1.png"])
+        self.assertEqual((self.out / "stone.png").read_text(), "precious")
+        self.assertEqual(self.applied(self.models / "model.obj", self.out / "out.obj")[0], {})
+
+    def test_a_folder_that_is_a_link_to_elsewhere(self):
+        elsewhere = self.top / "elsewhere"
+        elsewhere.mkdir()
+        (self.out / "textures").symlink_to(elsewhere)
+        self.picture("textures/fine/wood.png", 1)
+        found, _ = self.applied(self.model("textures/fine/wood.png"), self.out / "out.obj")
+        self.expect_result(found, **{"wood.png": 1})
+
+    def test_missing_textures_keep_their_names(self):
+        self.picture("there.png", 1)
+        found, printed = self.applied(self.model("lost/a.png", "there.png", "../b.png"), self.out / "out.obj")
+        self.expect_result(found, **{"there.png": 1})
+        self.assertEqual(self.named(), ["lost/a.png", "there.png", "../b.png"])
+        for name in ("lost/a.png", "../b.png"):
+            self.assertIn(f"texture {name} was not found", printed)
+
+    def test_the_current_folder_does_not_matter(self):
+        self.picture("textures/wood.png", 1)
+        current = self.top / "current"
+        (current / "textures").mkdir(parents=True)
+        (current / "textures/wood.png").write_bytes(png(99))
+        self.model("textures/wood.png")
+        found, _ = self.applied("../project/scans/models/part/model.obj", "../results/deep/er/out.obj", cwd=current)
+        self.expect_result(found, **{"textures/wood.png": 1})
+
+    def test_all_is_flushed_to_the_disk_before_it_gets_its_name(self):
+        self.picture("textures/fine/wood.png", 1)
+        log = work / "flushes"
+        self.applied(self.model("textures/fine/wood.png"), self.out / "out.obj",
+                     **flushes.recorded(os.environ["ANISO_RECORD_FLUSHES"], log))
+        found = flushes.renamed_files(self, log, self.out)
+        self.assertEqual(found, [os.path.realpath(self.out / name) for name in ("textures/fine/wood.png", "out.obj.mtl",
+                                                                                 "out.obj")])
+
+
+class Interrupts(unittest.TestCase):
+    def test_a_signal_while_writing_leaves_the_old_file_and_nothing_else(self):
+        large, folder = work / "large.ply", work / "interrupted"
+        run_tool("generate", "sphere", large, "--vertices", 100000)
+        folder.mkdir()
+        target = folder / "out.obj"
+        script = write_script("interrupted", ("Invert Faces Orientation", []))
+        interrupted = 0
+        for number in (signal.SIGHUP, signal.SIGINT, signal.SIGTERM):
+            target.write_text("precious")
+            process = subprocess.Popen([APPLY_MLX, "-i", large, "-o", target, "-s", script], stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.PIPE, env=meshlab.environment(""), text=True,
+                                       preexec_fn=lambda: [signal.signal(n, signal.SIG_DFL) for n in (1, 2, 15)])
+            while process.poll() is None and len(os.listdir(folder)) == 1:
+                time.sleep(0.001)
+            process.send_signal(number)
+            words = process.communicate(timeout=60)[1]
+            self.assertIn(process.returncode, (0, -number), words)
+            if process.returncode == 0:  # the file was complete already
+                continue
+            interrupted += 1
+            self.assertEqual(os.listdir(folder), ["out.obj"])
+            self.assertEqual(target.read_text(), "precious")
+        self.assertGreater(interrupted, 0, "the signals came too late")
 
 
 class Readme(unittest.TestCase):

@@ -2,12 +2,17 @@
 line, nothing else touched, clear failures."""
 
 import json
+import pathlib
 import struct
+import sys
 import unittest
 
-import ply
-import scripts
-from environment import APPLY_MLX, Display, fresh_work_folder, make_meshlab, run_tool
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "support"))
+
+import decimal_comma  # noqa: E402
+import ply  # noqa: E402
+import scripts  # noqa: E402
+from environment import APPLY_MLX, Display, fresh_work_folder, make_meshlab, run_tool  # noqa: E402
 
 SELECTED = 0x20  # vcglib's bit for "selected" in the flags of vertices and faces
 ATTRIBUTES = ("-m", "vc", "vf", "vq", "vt", "fc", "ff", "fq", "wt")
@@ -161,6 +166,30 @@ class Smoothing(unittest.TestCase):
         done, _ = serve(source, "unmerged_result")
         self.assertEqual(done.returncode, 0, done.stdout)
         self.assertIn("Merge Close Vertices", done.stdout)
+
+
+class DecimalComma(unittest.TestCase):
+    """A user's locale in which numbers have a comma."""
+
+    def test_texts_and_results_are_the_same(self):
+        german = decimal_comma.environment(work / "locale")
+        for kind in ("obj", "off", "ply"):
+            with self.subTest(kind):
+                source, target = work / f"comma.{kind}", work / f"comma_result.{kind}"
+                run_tool("noise", sheets, source, "--level", "0")
+                script = scripts.write(work / "comma.mlx", scripts.SMOOTHING, sigma_c="1.25", sigma_n="0.125")
+                results = []
+                for locale in (meshlab.locale, german):
+                    with meshlab.in_locale(locale):
+                        done = meshlab.apply(display.name, script, source, target)
+                    self.assertEqual(done.returncode, 0, done.stdout)
+                    self.assertRegex(done.stdout, r"average edge length \d+\.\d+")
+                    results.append(target.read_bytes())
+                    target.unlink()
+                self.assertEqual(results[0], results[1])
+                if kind != "ply":
+                    self.assertGreater(results[0].count(b"0."), 100)
+                    self.assertNotIn(b"0,", results[0])
 
 
 class ComparedFilters(unittest.TestCase):

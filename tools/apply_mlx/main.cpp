@@ -1,3 +1,4 @@
+#include <clocale>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -7,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
+#include <QLocale>
 
 #include <common/globals.h>
 
@@ -36,6 +38,22 @@ int fail(const std::string& what) {
   std::cerr << "apply_mlx: " << what << "\n";
   return failed;
 }
+
+/// Filters expect a Qt application with images and fonts, but no screen. It would set the user's locale, and where that
+/// has a decimal comma, vcglib's readers and writers of text would cut every number at its point: as MeshLab's window
+/// does, numbers stay as in C. File names stay in the user's encoding.
+class Application {
+ public:
+  explicit Application(char** argv) : application_(argc_, argv) {
+    std::setlocale(LC_NUMERIC, "C");
+    QLocale::setDefault(QLocale::c());
+  }
+
+ private:
+  int argc_ = 1;
+  const bool offscreen_ = ::setenv("QT_QPA_PLATFORM", "offscreen", 1) == 0;
+  const QApplication application_;
+};
 
 /// @return what the filters logged
 std::vector<std::string> run(const Options& options) {
@@ -84,10 +102,7 @@ int parse_and_run(int argc, char** argv) {
   std::vector<std::string> log;
   try {
     const Quiet quiet;
-    // Filters expect a Qt application with images and fonts, but no screen.
-    ::setenv("QT_QPA_PLATFORM", "offscreen", 1);
-    int qt_argc = 1;
-    const QApplication application(qt_argc, argv);
+    const Application application(argv);
     log = run(options);
   } catch (const std::bad_alloc&) {
     return fail("not enough memory for this mesh");

@@ -1,7 +1,9 @@
 #include "mesh_files.h"
 
-#include <cstdio>
+#include <filesystem>
 #include <list>
+#include <string>
+#include <vector>
 
 #include <QDir>
 #include <QFile>
@@ -12,8 +14,11 @@
 #include <common/mlexception.h>
 #include <common/plugins/plugin_manager.h>
 #include <common/utilities/load_save.h>
+#include <durable_files/replace_file.h>
 
 #include "failure.h"
+#include "held_signals.h"
+#include "textures.h"
 
 namespace apply_mlx {
 namespace {
@@ -32,11 +37,31 @@ IOPlugin* writer_of(const QString& path) {
   return plugin;
 }
 
-/// Where the file really lies: a link to it stays a link.
+std::filesystem::path system_path(const QString& path) { return QFile::encodeName(path).toStdString(); }
+
+/// The file that is written: a link stays a link, and what it leads to is replaced or made.
 QFileInfo destination(const QString& path) {
-  const QFileInfo file(path);
-  return QFileInfo(file.exists() ? file.canonicalFilePath() : file.absoluteFilePath());
+  try {
+    const std::string target = durable_files::final_target(system_path(path)).string();
+    return QFileInfo(QFileInfo(QFile::decodeName(target.c_str())).absoluteFilePath());
+  } catch (const durable_files::WriteError& error) {
+    throw Failure(error.what());
+  }
 }
+
+/// For as long as it lives the process works in an empty folder. MeshLab looks for textures in the current folder
+/// first, whichever that is, and then beside the mesh; and what it finds in the first way loses its directory.
+class NowhereInParticular {
+ public:
+  NowhereInParticular() : before_(QDir::currentPath()) { QDir::setCurrent(empty_.path()); }
+  ~NowhereInParticular() { QDir::setCurrent(before_); }
+  NowhereInParticular(const NowhereInParticular&) = delete;
+  NowhereInParticular& operator=(const NowhereInParticular&) = delete;
+
+ private:
+  QTemporaryDir empty_;
+  QString before_;
+};
 
 int attributes_to_write(const MeshModel& mesh, int attributes, int capability) {
   constexpr struct {
@@ -54,18 +79,28 @@ int attributes_to_write(const MeshModel& mesh, int attributes, int capability) {
   return attributes & capability;
 }
 
-void move_into(const QDir& folder, const QString& from, const QString& name) {
-  const QString to = folder.absoluteFilePath(name);
-  if (QFileInfo(to).exists()) QFile::setPermissions(from, QFile::permissions(to));
-  if (std::rename(QFile::encodeName(from).constData(), QFile::encodeName(to).constData()) != 0) {
-    throw Failure(to + ": cannot be written: " + qt_error_string());
+/// Makes the folders that lead to `path` below `folder`.
+void make_way(const QDir& folder, const QString& path) {
+  QString parent = QFileInfo(path).path();
+  if (parent == "." || folder.exists(parent)) return;
+  if (!folder.mkpath(parent)) throw Failure(folder.absoluteFilePath(parent) + ": the folder cannot be made");
+  for (; parent != "."; parent = QFileInfo(parent).path())
+    durable_files::flush_folder(system_path(QFileInfo(folder.absoluteFilePath(parent)).path()));
+}
+
+void move_into(const QDir& folder, const QDir& aside, const QString& path) {
+  make_way(folder, path);
+  try {
+    durable_files::replace_file(system_path(aside.filePath(path)), system_path(folder.absoluteFilePath(path)));
+  } catch (const durable_files::WriteError& error) {
+    throw Failure(error.what());
   }
 }
 
 }  // namespace
 
 int read_mesh(const QString& path, MeshDocument& document) {
-  const QFileInfo file(path);
+  const QFileInfo file(QFileInfo(path).absoluteFilePath());
   if (!file.exists()) throw Failure(path + ": does not exist");
   if (!file.isFile()) throw Failure(path + ": is not a file");
   if (!file.isReadable()) throw Failure(path + ": cannot be read");
@@ -87,7 +122,15 @@ int read_mesh(const QString& path, MeshDocument& document) {
       if (count > 1) meshes.back()->setIdInFile(static_cast<int>(i));
     }
     std::list<int> masks;
-    meshlab::loadMesh(file.absoluteFilePath(), plugin, options, meshes, masks, go_on);
+    {
+      const NowhereInParticular scope;
+      const std::list<std::string> missing =
+          meshlab::loadMesh(file.absoluteFilePath(), plugin, options, meshes, masks, go_on);
+      keep_missing_names(meshes, missing);
+      for (const std::string& name : missing)
+        document.Log.log(GLLogStream::WARNING,
+                         "warning: texture " + name + " was not found; it is named, but not there");
+    }
     int attributes = 0;
     for (const int mask : masks) attributes |= mask;
     return attributes;
@@ -117,20 +160,25 @@ void write_mesh(MeshModel& mesh, int attributes, const QString& path) {
   const int mask = attributes_to_write(mesh, attributes, capability);
   if (mask & Mask::IOM_BITPOLYGONAL) mesh.updateDataMask(MeshModel::MM_FACEFACETOPO);
 
+  const HeldSignals scope;
   QTemporaryDir aside(target.absolutePath() + "/." + target.fileName() + ".XXXXXX");
   if (!aside.isValid()) throw Failure(path + ": cannot be written: " + aside.errorString());
+  const QDir written(aside.path()), folder = target.absoluteDir();
+  std::vector<QString> textures;
   try {
+    if (mask & (Mask::IOM_VERTTEXCOORD | Mask::IOM_WEDGTEXCOORD))
+      textures = put_textures_aside(mesh, folder, written, target.fileName());
     plugin->save(format, aside.filePath(target.fileName()), mesh, mask, plugin->initSaveParameter(format, mesh), go_on);
-    if (mask & (Mask::IOM_VERTTEXCOORD | Mask::IOM_WEDGTEXCOORD)) mesh.saveTextures(aside.path(), -1, nullptr, go_on);
   } catch (const MLException& error) {
     throw Failure(path + ": cannot be written: " + error.what());
   }
-  const QDir written(aside.path());
   if (!written.exists(target.fileName())) throw Failure(path + ": MeshLab has written nothing");
-  for (const QString& name : written.entryList(QDir::Files)) {
-    if (name != target.fileName()) move_into(target.absoluteDir(), written.filePath(name), name);
+  if (HeldSignals::any()) return;  // the signal ends the program when `aside` is gone
+  for (const QString& texture : textures) move_into(folder, written, texture);
+  for (const QString& name : written.entryList(QDir::Files | QDir::Hidden)) {
+    if (name != target.fileName()) move_into(folder, written, name);
   }
-  move_into(target.absoluteDir(), written.filePath(target.fileName()), target.fileName());
+  move_into(folder, written, target.fileName());
 }
 
 }  // namespace apply_mlx

@@ -15,8 +15,8 @@ int read_mesh(const QString& path, MeshDocument& document);
 void check_writable(const QString& path);
 
 /// Writes the mesh with the attributes that its file had (`attributes`) and those that filters have made; with it what
-/// belongs to it, such as materials and textures. Written aside and then moved: an existing file is replaced by a
-/// complete one or stays.
+/// belongs to it: materials, and textures (see textures.h), which may lie in folders below the mesh's own and never
+/// outside. Written aside, flushed to the disk and then moved: an existing file is replaced by a complete one or stays.
 /// @throws Failure if it cannot be written
 void write_mesh(MeshModel& mesh, int attributes, const QString& path);
 
