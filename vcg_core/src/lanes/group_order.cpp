@@ -29,7 +29,7 @@ void GroupOrder::select_near_rows(const Patch& patch, const GroupBall& ball, flo
     const float z = patch.place[2][row] - ball.middle[2];
     squared_radius_of_near_[row] = x * x + y * y + z * z;
   }
-  std::size_t count = 0;  // without branches: which rows are near is hard to foretell
+  std::size_t count = 0;  // without branches: which rows are near is unpredictable
   for (std::uint32_t row = 0; row < patch.rows; ++row) {
     const float squared = squared_radius_of_near_[row];
     near_[count] = row;
@@ -44,8 +44,8 @@ void GroupOrder::select_near_rows(const Patch& patch, const GroupBall& ball, flo
 
 /// In buckets of equal area, and as they come inside them.
 void GroupOrder::sort_by_radius(std::uint32_t patch_rows) {
-  constexpr float buckets_per_squared_edge = 4;
-  constexpr float most_buckets = 8192;
+  constexpr float buckets_per_squared_edge = 4;  // a few rows each
+  constexpr float most_buckets = 8192;           // what stays in the first-level cache
   const std::size_t n = near_.size();
   float largest = 0;
   for (const float squared : squared_radius_of_near_) largest = std::max(largest, squared);
@@ -55,10 +55,11 @@ void GroupOrder::sort_by_radius(std::uint32_t patch_rows) {
   bucket_begin_.assign(static_cast<std::size_t>(largest * scale) + 2, 0);
   for (std::size_t i = 0; i < n; ++i) ++bucket_begin_[bucket(i) + 1];
   std::partial_sum(bucket_begin_.begin(), bucket_begin_.end(), bucket_begin_.begin());
-  rank_of_.assign(patch_rows, far_away);
+  rank_of_.assign(patch_rows, not_near);
   row_at_.resize(n);
   squared_radius_.resize(n);
   dirty_.resize(n / 64 + 1);
+  queue_.resize(queue_buckets + 3 * n);
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t rank = bucket_begin_[bucket(i)]++;
     rank_of_[near_[i]] = rank;
@@ -70,6 +71,8 @@ void GroupOrder::sort_by_radius(std::uint32_t patch_rows) {
   group_.rank_of = rank_of_.data();
   group_.squared_radius = squared_radius_.data();
   group_.dirty = dirty_.data();
+  std::uint32_t* const queue = queue_.data();
+  group_.queue = {queue, queue + queue_buckets, queue + queue_buckets + n, queue + queue_buckets + 2 * n};
 }
 
 }  // namespace vcg_core::detail

@@ -35,6 +35,7 @@ class GroupOrder {
   std::vector<std::uint32_t> rank_of_;
   std::vector<float> squared_radius_;
   std::vector<std::uint64_t> dirty_;
+  std::vector<std::uint32_t> queue_;
 };
 
 }  // namespace vcg_core::detail

@@ -13,7 +13,7 @@ std::uint32_t lane_near(const Patch& patch, const PatchGroup& group, float reach
       place[axis][lane] = patch.place[axis][group.source_row[lane < group.sources ? lane : 0]];
   const Vector3 source{Simd::load(place[0]), Simd::load(place[1]), Simd::load(place[2])};
   const Vector squared_reach = Simd::set(reach * reach);
-  std::uint32_t kept = 0;  // without branches: which rows are near is hard to foretell
+  std::uint32_t kept = 0;  // without branches: which rows are near is unpredictable
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t row = rows[i];
     const float squared = squared_radius[i];

@@ -40,7 +40,7 @@ void lane_offsets(const Patch& patch, const PatchGroup& group, const LaneParamet
   Vector sum_of_weights = Simd::set(0);
   for (std::uint32_t rank = 0; rank < group.rows; ++rank) {
     const std::uint32_t row = group.row_at[rank];
-    const Mask inside = Simd::less(Simd::load(patch.distance + row * Simd::lanes), cutoff);
+    const Mask inside = Simd::less(Simd::load(patch.distance + std::size_t(row) * Simd::lanes), cutoff);
     if (!Simd::any(inside)) continue;
     if (patch.normal[0][row] == 0 && patch.normal[1][row] == 0 && patch.normal[2][row] == 0) continue;
     const Vector3 v_j = at_row(patch.place, row);

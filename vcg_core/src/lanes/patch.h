@@ -1,13 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace vcg_core::detail {
 
-/// Sets of a vertex's faces are 32 bits; the last bit stands for all faces from there on.
-constexpr std::uint32_t last_slot = 31;
+/// A set of faces around a vertex is 32 bits, one for each face. A vertex of more faces is a hub: sets of its faces are
+/// never made, and what changes around it is looked at face by face.
+constexpr std::uint32_t most_face_bits = 32;
 
-/// How a face's improvement reaches its two other vertices: its bit among the faces of each.
+/// A face's bit among the faces of each of its two other vertices; 0 where that is a hub or not in the patch.
 struct FaceMarks {
   std::uint32_t of_row_1;
   std::uint32_t of_row_2;
@@ -32,6 +34,7 @@ struct FaceShape {
 /// inline code with it.
 struct Patch {
   std::uint32_t rows;
+  bool has_hubs;                    ///< whether a row has more faces than bits
   const float* place[3];            ///< by row: x, y, z relative to the patch's middle, in |e|
   const float* normal[3];           ///< by row: unit normal, zero if undefined
   const std::uint32_t* face_begin;  ///< rows + 1 offsets by face; a face's bit is its place behind the row's offset
@@ -49,6 +52,22 @@ struct Patch {
   std::uint32_t* pending;  ///< by row: bits of the faces to be looked at again, as a vertex of theirs improved
 };
 
+/// Whether a row has more faces than there are bits. Static, as every kernel is to have its own.
+static inline bool is_hub(const Patch& patch, std::uint32_t row) {
+  return patch.face_begin[row + 1] - patch.face_begin[row] > most_face_bits;
+}
+
+/// Buckets of the kernel's queue by distance.
+constexpr std::uint32_t queue_buckets = 1024;
+
+/// Work memory of that queue: a list of ranks for each bucket.
+struct QueueMemory {
+  std::uint32_t* first;      ///< by bucket
+  std::uint32_t* bucket_of;  ///< by rank
+  std::uint32_t* next;
+  std::uint32_t* previous;
+};
+
 /// A group of sources on a patch, one a lane, and the rows within reach of one of them: by rising distance from the
 /// group's middle, which is their rank.
 struct PatchGroup {
@@ -57,20 +76,22 @@ struct PatchGroup {
   std::uint32_t rows;               ///< how many rows of the patch are near
   std::uint32_t inner_rows;         ///< of the first ranks: as near to the middle as the sources themselves
   const std::uint32_t* row_at;      ///< by rank
-  const std::uint32_t* rank_of;     ///< by row of the patch; far_away if it is not near
+  const std::uint32_t* rank_of;     ///< by row of the patch; not_near if it is not
   const float* squared_radius;      ///< by rank: squared distance from the middle, in |e|^2
 
-  std::uint64_t* dirty;  ///< work memory of the kernel; a bit a rank: its row has pending faces
+  // Work memory of the kernel, for the ranks whose rows have pending faces.
+  std::uint64_t* dirty;  ///< a bit a rank
+  QueueMemory queue;
 };
 
 /// Rank of rows that are not near a group.
-constexpr std::uint32_t far_away = 0xffffffff;
+constexpr std::uint32_t not_near = 0xffffffff;
 
 /// The filter's constants, in |e|.
 struct LaneParameters {
   float cutoff;     ///< rho
   float limit;      ///< rho + margin: beyond it distances are not followed
-  float tolerance;  ///< a smaller gain is not passed on
+  float tolerance;  ///< a smaller gain is not passed on; added to it: some units in the distance's last place
   /// Weight = exp2(-(squared distance * closeness + (height * similarity)^2 + ((1 - n_i.n_j) * normals)^2)).
   float closeness;
   float similarity;
@@ -88,9 +109,14 @@ using LaneNear = std::uint32_t (*)(const Patch& patch, const PatchGroup& group, 
 /// Computes the shapes of all faces of a patch.
 using LaneShape = void (*)(const Patch& patch, LanePoll poll, void* context);
 
+/// What a march has cost.
+struct MarchWork {
+  std::uint64_t looks;  ///< faces looked at, each in all lanes at once
+};
+
 /// Marches from all sources of the group at once and leaves the distances in patch.distance.
-using LaneMarch = void (*)(const Patch& patch, const PatchGroup& group, const LaneParameters& parameters, LanePoll poll,
-                           void* context);
+using LaneMarch = MarchWork (*)(const Patch& patch, const PatchGroup& group, const LaneParameters& parameters,
+                                LanePoll poll, void* context);
 
 /// Section 6's offset of each lane's source, in |e|, from the distances that the march left.
 using LaneOffsets = void (*)(const Patch& patch, const PatchGroup& group, const LaneParameters& parameters,

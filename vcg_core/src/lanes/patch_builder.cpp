@@ -81,12 +81,14 @@ GroupBall PatchBuilder::ball_around(const Row* source, std::size_t count) const 
 void PatchBuilder::collect_rows(const std::function<void()>& poll) {
   const MeshTopology& topology = lanes_.mesh.topology;
   face_begin_.clear();
+  patch_.has_hubs = false;
   std::uint32_t faces = 0;
   for (std::uint32_t row = 0; row < rows_.size(); ++row) {
     if (poll && (row + 1) % rows_between_polls == 0) poll();
     face_begin_.push_back(faces);
     const Index begin = topology.star_begin[rows_[row].vertex];
     const Index end = topology.star_begin[rows_[row].vertex + 1];
+    patch_.has_hubs = patch_.has_hubs || end - begin > most_face_bits;
     reserve_faces(faces + (end - begin));
     for (Index s = begin; s < end; ++s) {
       const RingFace& face = lanes_.ring[s];
@@ -163,8 +165,9 @@ void PatchBuilder::place_rows() {
 void PatchBuilder::place_face(std::uint32_t f, std::uint32_t row, const RingFace& ring_face) {
   std::uint32_t row_1 = row_of_[ring_face.next];
   std::uint32_t row_2 = row_of_[ring_face.previous];
-  std::uint32_t mark_1 = 1u << ring_face.slot_at_next;
-  std::uint32_t mark_2 = 1u << ring_face.slot_at_previous;
+  // Of a hub's slot no bit is left.
+  auto mark_1 = static_cast<std::uint32_t>(std::uint64_t(1) << ring_face.slot_at_next);
+  auto mark_2 = static_cast<std::uint32_t>(std::uint64_t(1) << ring_face.slot_at_previous);
   if (row_1 == outside && row_2 == outside) {
     row_1 = row_2 = row;
     mark_1 = mark_2 = 0;

@@ -1,22 +1,23 @@
 #include "ring.h"
 
-#include <algorithm>
-
 #include <vcg_core/detail/job.h>
 
 namespace vcg_core::detail {
 
 namespace {
 
-/// Place of each corner in the star of its vertex, at most last_slot.
+/// Place of each corner in the star of its vertex; most_face_bits at a hub.
 Array<std::uint8_t> slots_of_corners(const MeshArrays& mesh, Job& job) {
   const MeshTopology& topology = mesh.topology;
   Array<std::uint8_t> slot(3 * mesh.face.size());
   job.parallel(mesh.size(), 16384, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
-      for (std::size_t v = chunks.begin(); v < chunks.end(); ++v)
-        for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s)
-          slot[topology.star[s]] = static_cast<std::uint8_t>(std::min<Index>(s - topology.star_begin[v], last_slot));
+      for (std::size_t v = chunks.begin(); v < chunks.end(); ++v) {
+        const Index begin = topology.star_begin[v];
+        const Index end = topology.star_begin[v + 1];
+        for (Index s = begin; s < end; ++s)
+          slot[topology.star[s]] = static_cast<std::uint8_t>(end - begin > most_face_bits ? most_face_bits : s - begin);
+      }
   });
   return slot;
 }

@@ -12,7 +12,7 @@ namespace vcg_core::detail {
 struct RingFace {
   Index next;                     ///< the vertex that follows v in the face
   Index previous;                 ///< the vertex that precedes it
-  std::uint8_t slot_at_next;      ///< place of the face among those of `next`, at most last_slot
+  std::uint8_t slot_at_next;      ///< place of the face among those of `next`; most_face_bits if that is a hub
   std::uint8_t slot_at_previous;  ///< the same for `previous`
 };
 

@@ -33,6 +33,11 @@ struct Simd {
   static Vector select(Mask m, Vector yes, Vector no) { return _mm256_blendv_ps(no, yes, m); }
   static Vector min_where(Mask m, Vector a, Vector b) { return select(m, min(a, b), a); }
   static Vector zero_unless(Mask m, Vector a) { return _mm256_and_ps(m, a); }
+  static float lowest(Vector a) {
+    const __m128 four = _mm_min_ps(_mm256_castps256_ps128(a), _mm256_extractf128_ps(a, 1));
+    const __m128 two = _mm_min_ps(four, _mm_movehl_ps(four, four));
+    return _mm_cvtss_f32(_mm_min_ss(two, _mm_movehdup_ps(two)));
+  }
   static Vector round(Vector a) { return _mm256_round_ps(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
   /// a 2^n for whole n in [-126, 127].
   static Vector scale(Vector a, Vector n) {

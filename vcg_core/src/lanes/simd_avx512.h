@@ -33,6 +33,7 @@ struct Simd {
   static Vector select(Mask m, Vector yes, Vector no) { return _mm512_mask_blend_ps(m, no, yes); }
   static Vector min_where(Mask m, Vector a, Vector b) { return _mm512_mask_min_ps(a, m, a, b); }
   static Vector zero_unless(Mask m, Vector a) { return _mm512_maskz_mov_ps(m, a); }
+  static float lowest(Vector a) { return _mm512_reduce_min_ps(a); }
   static Vector round(Vector a) { return _mm512_roundscale_ps(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
   /// a 2^n for whole n.
   static Vector scale(Vector a, Vector n) { return _mm512_scalef_ps(a, n); }

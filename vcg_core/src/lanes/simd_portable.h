@@ -52,6 +52,12 @@ struct Simd {
     return {select(m.low, yes.low, no.low), select(m.high, yes.high, no.high)};
   }
   static Vector min_where(Mask m, Vector a, Vector b) { return select(both(m, less(b, a)), b, a); }
+  static float lowest(Vector a) {
+    const Quad four = min(a.low, a.high);
+    const float x = four[0] < four[1] ? four[0] : four[1];
+    const float y = four[2] < four[3] ? four[2] : four[3];
+    return x < y ? x : y;
+  }
   static Vector zero_unless(Mask m, Vector a) { return select(m, a, set(0)); }
   /// To the nearest whole number, for |a| < 2^22: adding and taking away 1.5 * 2^23 leaves no fraction.
   static Vector round(Vector a) { return sub(add(a, set(12582912.0f)), set(12582912.0f)); }
