@@ -20,3 +20,22 @@ function(aniso_target_defaults target)
     target_link_options(${target} PRIVATE -fsanitize=${ANISO_SANITIZE})
   endif()
 endfunction()
+
+# For programs of tests, which take longer to compile than to run: what they test is optimised in full, they are not.
+function(aniso_test_defaults target)
+  aniso_target_defaults(${target})
+  if(ANISO_SANITIZE)
+    target_compile_options(${target} PRIVATE -O0)
+  else()
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
+endfunction()
+
+# Compiles headers of other libraries that most sources of a target include once for all of them. Sources name all the
+# same what they use: they are compiled without this as well (scripts/tidy).
+function(aniso_precompile target)
+  target_precompile_headers(${target} PRIVATE ${ARGN})
+  # For ccache, which has to tell one precompiled header from another.
+  target_compile_options(${target} PRIVATE
+    $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
+endfunction()
