@@ -17,6 +17,7 @@ void log_report(const SmoothingReport& report, const Session& session) {
     lengths << ", sigma_c " << report.sigma_c_length << ", sigma_s " << report.sigma_s_length << ", cut-off "
             << report.rho_length;
   }
+  if (report.estimated_noise) lengths << ", estimated noise " << *report.estimated_noise;
   lengths << " (in the mesh's unit)";
   session.log(lengths.str());
 
@@ -38,26 +39,28 @@ void log_report(const SmoothingReport& report, const Session& session) {
 Report to_map(const SmoothingReport& report) {
   // PyMeshLab hands on no integers but int; vcglib counts vertices in one.
   const auto count = [](std::size_t n) { return static_cast<int>(n); };
-  return {{"average_edge_length", report.average_edge_length},
-          {"sigma_c_length", report.sigma_c_length},
-          {"sigma_s_length", report.sigma_s_length},
-          {"rho_length", report.rho_length},
-          {"vertices", count(report.vertices)},
-          {"moved_vertices", count(report.moved_vertices)},
-          {"fixed_vertices", count(report.fixed_vertices)},
-          {"skipped_vertices", count(report.skipped_vertices.total())},
-          {"skipped_vertices_isolated", count(report.skipped_vertices.isolated)},
-          {"skipped_vertices_undefined_normal", count(report.skipped_vertices.undefined_normal)},
-          {"skipped_vertices_empty_neighbourhood", count(report.skipped_vertices.empty_neighbourhood)},
-          {"max_displacement", report.max_displacement},
-          {"rms_displacement", report.rms_displacement},
-          {"volume_before", report.volume_before},
-          {"volume_after", report.volume_after},
-          {"faces", count(report.faces)},
-          {"flipped_faces", count(report.flipped_faces)},
-          {"far_moved_vertices", count(report.far_moved_vertices)},
-          {"beyond_ring_vertices", count(report.beyond_ring_vertices)},
-          {"bounded_vertices", count(report.bounded_vertices)}};
+  Report map{{"average_edge_length", report.average_edge_length},
+             {"sigma_c_length", report.sigma_c_length},
+             {"sigma_s_length", report.sigma_s_length},
+             {"rho_length", report.rho_length},
+             {"vertices", count(report.vertices)},
+             {"moved_vertices", count(report.moved_vertices)},
+             {"fixed_vertices", count(report.fixed_vertices)},
+             {"skipped_vertices", count(report.skipped_vertices.total())},
+             {"skipped_vertices_isolated", count(report.skipped_vertices.isolated)},
+             {"skipped_vertices_undefined_normal", count(report.skipped_vertices.undefined_normal)},
+             {"skipped_vertices_empty_neighbourhood", count(report.skipped_vertices.empty_neighbourhood)},
+             {"max_displacement", report.max_displacement},
+             {"rms_displacement", report.rms_displacement},
+             {"volume_before", report.volume_before},
+             {"volume_after", report.volume_after},
+             {"faces", count(report.faces)},
+             {"flipped_faces", count(report.flipped_faces)},
+             {"far_moved_vertices", count(report.far_moved_vertices)},
+             {"beyond_ring_vertices", count(report.beyond_ring_vertices)},
+             {"bounded_vertices", count(report.bounded_vertices)}};
+  if (report.estimated_noise) map["estimated_noise"] = *report.estimated_noise;
+  return map;
 }
 
 /// Normals that are no numbers become zero, as those of faces without area are: MeshLab's own computation of them

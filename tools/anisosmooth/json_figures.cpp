@@ -31,6 +31,7 @@ ordered_json to_json(const vcg_core::SmoothingReport& report) {
                        {"bounded_vertices", report.bounded_vertices},
                        {"closed", report.closed},
                        {"coordinate_spacing", report.coordinate_spacing}};
+  if (report.estimated_noise) json["estimated_noise"] = *report.estimated_noise;
   if (report.self_intersections) json["self_intersections"] = *report.self_intersections;
   json["warnings"] = report.warnings();
   return json;

@@ -100,6 +100,7 @@ void print_summary(const Options& options, const MethodInfo& method, const Smoot
   if (report.sigma_c_length > 0) std::cout << ", sigma_c " << report.sigma_c_length;
   if (report.sigma_s_length > 0) std::cout << ", sigma_s " << report.sigma_s_length;
   if (report.rho_length > 0) std::cout << ", rho " << report.rho_length;
+  if (report.estimated_noise) std::cout << ", estimated noise " << *report.estimated_noise;
   std::cout << "\nmoved " << report.moved_vertices << " of " << report.vertices << " vertices";
   if (report.fixed_vertices > 0) std::cout << ", " << report.fixed_vertices << " held";
   if (report.skipped_vertices.total() > 0) std::cout << ", " << report.skipped_vertices.total() << " skipped";

@@ -77,6 +77,7 @@ SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const Smoot
     PassOutput output = run_pass({mesh, result.position, normal, movable, parameters, job});
     if (pass == 0) result.report.skipped_vertices.empty_neighbourhood = output.empty_neighbourhoods;
     result.report.bounded_vertices += output.bounded_vertices;
+    if (output.estimated_noise) result.report.estimated_noise = std::ldexp(*output.estimated_noise, -mesh.exponent);
     for (std::string& note : output.notes) result.report.notes.push_back(std::move(note));
     result.position = std::move(output.position);
   }

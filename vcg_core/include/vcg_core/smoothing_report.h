@@ -48,6 +48,9 @@ struct SmoothingReport {
   std::size_t flipped_faces = 0;
   std::size_t far_moved_vertices = 0;    ///< moved by more than 2 |e|
   std::size_t beyond_ring_vertices = 0;  ///< moved by more than the longest edge that they had before
+  /// Standard deviation of the mesh's noise along its normals, as the guided method sees it, in the mesh's unit. Empty
+  /// for other methods.
+  std::optional<double> estimated_noise;
   std::size_t bounded_vertices = 0;      ///< wanted to move farther than the filter lets them; of the guided method
   /// Faces of the result that cut through another one; empty unless SmoothingParameters::check asks for it.
   std::optional<std::size_t> self_intersections;

@@ -47,9 +47,9 @@ Array<Vec3> mean_normals(const MeshArrays& mesh, const Array<Vec3>& face_normal,
   return normal;
 }
 
-double noise_of(const Array<double>& residual, const Array<double>& one_ring) {
+double noise_of(const Array<double>& residual, const Array<double>& one_ring, Job& job) {
   Array<double> above(residual.size());
-  for (std::size_t v = 0; v < above.size(); ++v) above[v] = std::abs(residual[v] - one_ring[v]);
+  job.serial(above.size(), [&](std::size_t v) { above[v] = std::abs(residual[v] - one_ring[v]); });
   return median(std::move(above)) / (median_of_normal * noise_above_ring);
 }
 
@@ -70,19 +70,19 @@ void recover_detail(const MeshArrays& mesh, const Array<Vec3>& noisy, const Arra
     faces.measure(mesh, position, job);
     const Array<Vec3> normal = mean_normals(mesh, faces.normal, job);
     Array<double> residual(mesh.size());
-    for (std::size_t v = 0; v < residual.size(); ++v) residual[v] = (noisy[v] - position[v]).dot(normal[v]);
-    if (noise < 0) noise = settings.noise_scale * noise_of(residual, low_pass(mesh, residual, 1, job));
+    job.serial(residual.size(), [&](std::size_t v) { residual[v] = (noisy[v] - position[v]).dot(normal[v]); });
+    if (noise < 0) noise = settings.noise_scale * noise_of(residual, low_pass(mesh, residual, 1, job), job);
     const Array<double> low = low_pass(mesh, residual, rings, job);
     const double expected = noise * noise * variance_of_one_ring / rings;
     Array<double> energy(low.size());
-    for (std::size_t v = 0; v < low.size(); ++v) energy[v] = low[v] * low[v];
+    job.serial(low.size(), [&](std::size_t v) { energy[v] = low[v] * low[v]; });
     energy = low_pass(mesh, std::move(energy), energy_rings + rings, job);
-    for (std::size_t v = 0; v < low.size(); ++v) {
-      if (!movable[v]) continue;
+    job.serial(low.size(), [&](std::size_t v) {
+      if (!movable[v]) return;
       // Without any noise all of the residual is shape.
       const double share = expected > 0 ? share_of_shape(energy[v] / expected, settings) : 1;
       position[v] += share * low[v] * normal[v];
-    }
+    });
   }
 }
 

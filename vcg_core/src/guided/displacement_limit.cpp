@@ -84,10 +84,11 @@ void keep_faces_upright(const MeshArrays& mesh, const Array<Vec3>& from, const A
         }
     });
     to_take_back.clear();
-    for (std::size_t f = 0; f < mesh.face.size(); ++f)
-      if (turned[f])
-        for (const Index v : mesh.face[f])
-          if (position[v] != from[v]) to_take_back.push_back(v);
+    job.serial(mesh.face.size(), [&](std::size_t f) {
+      if (!turned[f]) return;
+      for (const Index v : mesh.face[f])
+        if (position[v] != from[v]) to_take_back.push_back(v);
+    });
     std::sort(to_take_back.begin(), to_take_back.end());
     to_take_back.erase(std::unique(to_take_back.begin(), to_take_back.end()), to_take_back.end());
     for (const Index v : to_take_back) {

@@ -57,7 +57,7 @@ FaceLists make_lists(std::size_t faces, Job& job, const Append& append) {
       }
     }
   });
-  for (std::size_t f = 0; f < faces; ++f) lists.begin[f + 1] += lists.begin[f];
+  job.serial(faces, [&](std::size_t f) { lists.begin[f + 1] += lists.begin[f]; });
   lists.face.resize(lists.begin[faces]);
   job.parallel(chunk_count, 1, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
@@ -164,10 +164,10 @@ Array<double> local_spacing(const MeshArrays& mesh, bool follow_edge_length, dou
         length[v] = mean_edge_length(mesh, static_cast<Index>(v), e);
   });
   for (int ring = 0; ring < rings; ++ring) length = mean_over_ring(mesh, length, job);
-  for (std::size_t f = 0; f < spacing.size(); ++f) {
+  job.serial(spacing.size(), [&](std::size_t f) {
     const auto& v = mesh.face[f];
     spacing[f] = std::max(centroids_per_edge * (length[v[0]] + length[v[1]] + length[v[2]]) / 3, limit);
-  }
+  });
   return spacing;
 }
 

@@ -102,8 +102,9 @@ double second_smallest_jump(const MeshArrays& mesh, const Array<double>& height,
 Array<Evidence> find_evidence(const MeshArrays& mesh, const Array<double>& height, Job& job) {
   const MeshTopology& topology = mesh.topology;
   Array<double> inverse_valence(mesh.size());
-  for (std::size_t v = 0; v < mesh.size(); ++v)
+  job.serial(mesh.size(), [&](std::size_t v) {
     inverse_valence[v] = 1.0 / std::max<Index>(1, topology.star_begin[v + 1] - topology.star_begin[v]);
+  });
   Array<Evidence> evidence(mesh.size());
   job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
@@ -153,12 +154,12 @@ double confidence_in(const Testimony& t) {
 }
 
 /// By vertex.
-Array<Testimony> find_testimony(const Array<Evidence>& own, const Array<Evidence>& around) {
+Array<Testimony> find_testimony(const Array<Evidence>& own, const Array<Evidence>& around, Job& job) {
   Array<Testimony> testimony(own.size());
-  for (std::size_t v = 0; v < own.size(); ++v) {
+  job.serial(own.size(), [&](std::size_t v) {
     const double trust = own[v][vertices] > 0 ? trust_in(around[v]) : 0;
     testimony[v] = Testimony(trust * own[v][opposed], trust * own[v][expected], trust, own[v][vertices]);
-  }
+  });
   return testimony;
 }
 
@@ -167,9 +168,9 @@ Array<Testimony> find_testimony(const Array<Evidence>& own, const Array<Evidence
 NoiseEstimate estimate_noise(const MeshArrays& mesh, const Array<Vec3>& position, const FaceGeometry& faces, Job& job) {
   const Array<Evidence> own = find_evidence(mesh, heights(mesh, position, faces, job), job);
   const Array<Evidence> around = low_pass(mesh, own, evidence_rings, job);
-  Array<Testimony> testimony = find_testimony(own, around);
+  Array<Testimony> testimony = find_testimony(own, around, job);
   Testimony all = Testimony::Zero();
-  for (const Testimony& t : testimony) all += t;
+  job.serial(testimony.size(), [&](std::size_t v) { all += testimony[v]; });
   const double share = all[asked] > 0 ? all[trusted] / all[asked] : 0;
   const double believed = ramp(share, believed_from, believed_full) * std::min(1.0, all[trusted] / full_count);
   const double of_all = believed * confidence_in(all) * variance_of(all);
@@ -187,7 +188,7 @@ NoiseEstimate estimate_noise(const MeshArrays& mesh, const Array<Vec3>& position
       }
   });
   double sum = 0;
-  for (const double deviation : noise.deviation) sum += deviation * deviation;
+  job.serial(mesh.size(), [&](std::size_t v) { sum += noise.deviation[v] * noise.deviation[v]; });
   noise.mean = std::sqrt(sum / static_cast<double>(mesh.size()));
   return noise;
 }

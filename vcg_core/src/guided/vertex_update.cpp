@@ -23,9 +23,10 @@ Array<std::uint8_t> find_folds(const MeshArrays& mesh, const Array<Vec3>& normal
       }
   });
   Array<std::uint8_t> folded(mesh.size(), 0);
-  for (std::size_t f = 0; f < mesh.face.size(); ++f)
+  job.serial(mesh.face.size(), [&](std::size_t f) {
     if (face_folded[f])
       for (const Index v : mesh.face[f]) folded[v] = 1;
+  });
   return folded;
 }
 
