@@ -54,7 +54,8 @@ void write_picture(const MeshModel& mesh, const QString& name, const QImage& ima
 QString numbered(const QString& name, int number) {
   if (number == 0) return name;
   const QFileInfo file(name);
-  return QString("%1_%2.%3").arg(file.completeBaseName()).arg(number).arg(file.suffix());
+  const QString numbered_name = file.completeBaseName() + "_" + QString::number(number);
+  return file.suffix().isEmpty() ? numbered_name : numbered_name + "." + file.suffix();
 }
 
 class TextureWriter {
