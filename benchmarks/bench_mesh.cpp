@@ -13,6 +13,7 @@
 #include <vcg_core/detail/read_mesh.h>
 
 #include "lanes/lane_kernels.h"
+#include "lanes/lane_parameters.h"
 #include "lanes/patch_builder.h"
 #include "lanes/source_groups.h"
 #include "vertex_normals.h"
@@ -77,10 +78,9 @@ std::size_t count_pairs(const Arrays& arrays, double rho) {
   const SourceGroups groups = group_sources(arrays.mesh, kernel.lanes, job);
   const LaneMesh lanes{arrays.mesh, ring, groups, arrays.mesh.position, arrays.normal};
   PatchBuilder builder(lanes, kernel);
-  LaneParameters parameters{};
-  parameters.cutoff = static_cast<float>(rho);
-  parameters.limit = static_cast<float>(rho + 0.5);
-  parameters.tolerance = 4e-6f;
+  vcg_core::SmoothingParameters wanted;
+  wanted.sigma_c = rho / wanted.rho;
+  const LaneParameters parameters = lane_parameters(wanted);
   const LanePoll no_poll = [](void*) {};
   std::size_t pairs = 0;
   for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -90,7 +90,7 @@ std::size_t count_pairs(const Arrays& arrays, double rho) {
     kernel.march(patch, group, parameters, no_poll, nullptr);
     for (std::uint32_t rank = 0; rank < group.rows; ++rank)
       for (std::uint32_t lane = 0; lane < group.sources; ++lane)
-        pairs += patch.distance[group.row_at[rank] * kernel.lanes + lane] < parameters.cutoff;
+        pairs += patch.distance[std::size_t(group.row_at[rank]) * kernel.lanes + lane] < parameters.cutoff;
   }
   return pairs;
 }

@@ -12,6 +12,7 @@
 
 #include <geodesic_march.h>
 #include <lanes/lane_filter.h>
+#include <lanes/lane_parameters.h>
 #include <lanes/patch_builder.h>
 #include <paper_filter.h>
 #include <triangle_frames.h>
@@ -19,6 +20,7 @@
 #include <vertex_normals.h>
 
 #include <support/hand_made.h>
+#include <support/high_valence.h>
 #include <support/mesh_types.h>
 #include <support/noisy_shapes.h>
 
@@ -47,7 +49,16 @@ class Prepared {
   double unit() const { return arrays_.topology.average_edge_length; }
 
   Array<Vec3> run(const LaneKernel& kernel, const SmoothingParameters& parameters) {
+    return run_with_figures(kernel, parameters).position;
+  }
+  PassOutput run_with_figures(const LaneKernel& kernel, const SmoothingParameters& parameters) {
     return LanePass(kernel).run({arrays_, arrays_.position, normal_, movable_, parameters, job_});
+  }
+
+  /// Lets only `count` vertices move, evenly drawn from the mesh's order.
+  void move_only(std::size_t count) {
+    movable_.assign(arrays_.size(), 0);
+    for (std::size_t k = 0; k < count; ++k) movable_[k * arrays_.size() / count] = 1;
   }
 
  private:
@@ -86,9 +97,19 @@ TEST_P(LaneKernels, GiveTheSameBitsForAnyNumberOfThreads) {
   for (const int threads : {2, 3, 8}) EXPECT_EQ(Prepared(shape, threads).run(*GetParam(), {}), expected);
 }
 
-/// Largest difference, in |e|, of the kernel's distances from the scalar march's, over vertices below `cutoff` in both.
+/// What came out of marching from some groups of sources.
+struct Marched {
+  double error = 0;          ///< largest difference of a distance from the scalar march's, below the cut-off in one
+  double largest = 0;        ///< largest distance below the cut-off
+  std::uint64_t looks = 0;   ///< of the kernel
+  std::size_t pairs = 0;     ///< (source, vertex below the cut-off)
+  std::size_t loosened = 0;  ///< groups whose tolerance was raised
+};
+
+/// Marches from every n-th patch's groups, and compares with the scalar march from every k-th source of these; 0: none.
 /// Also sees to it that no vertex well inside is missing.
-double largest_distance_error(const FlatMesh& shape, const LaneKernel& kernel, double cutoff) {
+Marched march(const FlatMesh& shape, const LaneKernel& kernel, const LaneParameters& parameters,
+              std::size_t patch_stride = 1, std::uint32_t source_stride = 1) {
   Prepared mesh(shape);
   const MeshArrays& arrays = mesh.arrays();
   const auto ring = make_rings(arrays, mesh.job());
@@ -96,38 +117,57 @@ double largest_distance_error(const FlatMesh& shape, const LaneKernel& kernel, d
   const LaneMesh lanes{arrays, ring, groups, arrays.position, mesh.normal()};
   PatchBuilder builder(lanes, kernel);
   const auto frames = triangle_frames(arrays, arrays.position, mesh.unit(), mesh.job());
-  GeodesicMarch<double> march(arrays, frames, 1e-9);
-  LaneParameters parameters{};
-  parameters.cutoff = static_cast<float>(cutoff);
-  parameters.limit = static_cast<float>(cutoff + march_margin);
-  parameters.tolerance = 4e-6f;
+  GeodesicMarch<double> scalar(arrays, frames, 1e-9);
+  const double cutoff = parameters.cutoff;
+  const double limit = cutoff + march_margin;
   const LanePoll no_poll = [](void*) {};
-  double largest = 0;
+  Marched result;
   const Array<Index> patch_begin = patch_groups(groups, arrays);
-  for (std::size_t p = 0, g = 0; g < groups.size(); ++g) {
-    if (g == patch_begin[p + 1]) ++p;
-    const Patch& patch = builder.build(patch_begin[p], patch_begin[p + 1], cutoff + march_margin);
+  for (std::size_t p = 0; p + 1 < patch_begin.size(); p += patch_stride) {
+    const Patch& patch = builder.build(patch_begin[p], patch_begin[p + 1], limit);
     kernel.shape(patch, no_poll, nullptr);
-    const PatchGroup& group = builder.group(g);
-    kernel.march(patch, group, parameters, no_poll, nullptr);
-    for (std::uint32_t lane = 0; lane < group.sources; ++lane) {
-      EXPECT_EQ(builder.vertex(group.source_row[lane]), groups.member[groups.begin[g] + lane]);
-      march.run(groups.member[groups.begin[g] + lane], cutoff + march_margin, [](std::size_t) {});
-      std::vector<bool> found(arrays.size(), false);
-      for (std::uint32_t rank = 0; rank < group.rows; ++rank) {
-        const Index v = builder.vertex(group.row_at[rank]);
-        found[v] = true;
-        const double expected = march.distance(v);
-        const double distance = patch.distance[group.row_at[rank] * kernel.lanes + lane];
-        if (expected < cutoff || distance < cutoff) largest = std::max(largest, std::abs(distance - expected));
-      }
-      for (const Index v : march.reached())
-        if (march.distance(v) < cutoff) {
-          EXPECT_TRUE(found[v]);
+    for (Index g = patch_begin[p]; g < patch_begin[p + 1]; ++g) {
+      const PatchGroup& group = builder.group(g);
+      const MarchWork work = kernel.march(patch, group, parameters, no_poll, nullptr);
+      result.looks += work.looks;
+      result.loosened += work.loosened ? 1 : 0;
+      const auto distance_at = [&](std::uint32_t rank, std::uint32_t lane) {
+        return static_cast<double>(patch.distance[std::size_t(group.row_at[rank]) * kernel.lanes + lane]);
+      };
+      for (std::uint32_t rank = 0; rank < group.rows; ++rank)
+        for (std::uint32_t lane = 0; lane < group.sources; ++lane) result.pairs += distance_at(rank, lane) < cutoff;
+      for (std::uint32_t lane = 0; source_stride != 0 && lane < group.sources; lane += source_stride) {
+        EXPECT_EQ(builder.vertex(group.source_row[lane]), groups.member[groups.begin[g] + lane]);
+        scalar.run(groups.member[groups.begin[g] + lane], limit, [](std::size_t) {});
+        std::vector<bool> found(arrays.size(), false);
+        for (std::uint32_t rank = 0; rank < group.rows; ++rank) {
+          const Index v = builder.vertex(group.row_at[rank]);
+          found[v] = true;
+          const double expected = scalar.distance(v);
+          const double distance = distance_at(rank, lane);
+          if (!(expected < cutoff || distance < cutoff)) continue;
+          result.error = std::max(result.error, std::abs(distance - expected));
+          result.largest = std::max(result.largest, distance);
         }
+        for (const Index v : scalar.reached())
+          if (scalar.distance(v) < cutoff) {
+            EXPECT_TRUE(found[v]);
+          }
+      }
     }
   }
-  return largest;
+  return result;
+}
+
+/// The filter's own constants, the tolerance among them, with another cut-off.
+LaneParameters with_cutoff(double cutoff) {
+  SmoothingParameters parameters;
+  parameters.sigma_c = cutoff / parameters.rho;
+  return lane_parameters(parameters);
+}
+
+double largest_distance_error(const FlatMesh& shape, const LaneKernel& kernel, double cutoff) {
+  return march(shape, kernel, with_cutoff(cutoff)).error;
 }
 
 TEST_P(LaneKernels, MarchAsTheScalarOne) {
@@ -160,8 +200,89 @@ TEST_P(LaneKernels, MarchAroundAVertexOfManyFaces) {
       crown.faces.push_back({b + ring, a + ring + count, b + ring + count});
     }
   }
-  EXPECT_LE(largest_distance_error(crown, *GetParam(), 6), 2e-5);
-  EXPECT_LE(largest_distance_error(crown, *GetParam(), 12), 2e-5);
+  EXPECT_LE(largest_distance_error(crown, *GetParam(), 6), 3e-5);
+  EXPECT_LE(largest_distance_error(crown, *GetParam(), 12), 3e-5);
+}
+
+// Closed surfaces across which it is farther than 150 |e|: there a float's last place is more than the tolerance, and
+// lanes reach the rows on the far side from all around. The march must end by itself, at the scalar march's distances.
+TEST_P(LaneKernels, ComeToAnEndAcrossAWholeClosedMesh) {
+  for (const char* name : {"sphere", "cube"}) {
+    const FlatMesh shape = noisy_shape(name, 45000);
+    const Marched result = march(shape, *GetParam(), with_cutoff(1000), 1000000, 64);
+    EXPECT_GT(result.largest, 150) << name;
+    // Single precision's last place is 1.5e-5 from 128 |e| on; some hundred steps lead there.
+    EXPECT_LE(result.error, 3e-4) << name;
+    EXPECT_EQ(result.loosened, 0u) << name;
+  }
+}
+
+TEST_P(LaneKernels, AgreeWithTheScalarFilterWhereANeighborhoodIsAWholeClosedMesh) {
+  Prepared mesh(noisy_shape("sphere", 45000));
+  mesh.move_only(3);
+  SmoothingParameters parameters;
+  parameters.sigma_c = 80;
+  parameters.rho = 10;
+  const Array<Vec3> expected =
+      paper_pass(mesh.arrays(), mesh.arrays().position, mesh.normal(), mesh.movable(), parameters, mesh.job());
+  EXPECT_EQ(differing(expected, mesh.arrays().position, 1e-3 * mesh.unit()), 3u) << "nothing to compare";
+  const PassOutput result = mesh.run_with_figures(*GetParam(), parameters);
+  // Sums of 45,000 weights in single precision.
+  EXPECT_EQ(differing(result.position, expected, 1e-4 * mesh.unit()), 0u);
+  EXPECT_EQ(result.approximate_neighbourhoods, 0u);
+}
+
+/// Looks of the kernel for a pair, counted in lanes.
+double looks_per_pair(const Marched& marched, const LaneKernel& kernel) {
+  return static_cast<double>(marched.looks) * kernel.lanes / static_cast<double>(marched.pairs);
+}
+
+// Where neighbourhoods are marched through by a queue, looks are more, and most are bounds, which cost less.
+TEST_P(LaneKernels, LookAsOftenForEachPairWhateverTheSizeOfTheNeighborhood) {
+  for (const char* name : {"torus", "cad_part"}) {
+    const FlatMesh shape = noisy_shape(name, 5000);
+    const double small = looks_per_pair(march(shape, *GetParam(), with_cutoff(4), 4, 0), *GetParam());
+    for (const double cutoff : {12, 48, 200})
+      EXPECT_LE(looks_per_pair(march(shape, *GetParam(), with_cutoff(cutoff), 16, 0), *GetParam()), 2.5 * small)
+          << name << " " << cutoff;
+  }
+}
+
+TEST_P(LaneKernels, LookTenTimesAsOftenAtMostAroundVerticesOfManyFaces) {
+  const double scan =
+      looks_per_pair(march(noisy_shape("cad_part", 4000), *GetParam(), with_cutoff(4), 2, 0), *GetParam());
+  for (const std::size_t n : {40, 300, 1500})
+    for (const auto& [name, mesh] : high_valence_meshes(n)) {
+      const Marched result = march(mesh, *GetParam(), with_cutoff(4), n / 100 + 1, 0);
+      EXPECT_LE(looks_per_pair(result, *GetParam()), 10 * scan) << name << " " << n;
+    }
+}
+
+// Each of thousands of steps along edges of hundredths of |e| may lose a unit in the last place.
+TEST_P(LaneKernels, MarchAsTheScalarOneAroundVerticesOfManyFaces) {
+  for (const std::size_t n : {33, 300})
+    for (const auto& [name, mesh] : high_valence_meshes(n)) {
+      // Its longest edges lead beyond the margin, and there the two marches follow different ones.
+      if (name == "prism_clipped_in_turn") continue;
+      const Marched result = march(mesh, *GetParam(), with_cutoff(20), n / 50 + 1, 7);
+      EXPECT_LE(result.error, 5e-4) << name << " " << n;
+      EXPECT_GT(result.pairs, 0u) << name << " " << n;
+    }
+}
+
+// However few looks are allowed, the march ends, at distances of paths that there are: none is too short, all sources
+// are there, and it says that it was cut short.
+TEST_P(LaneKernels, EndWithinTheLooksTheyAreAllowed) {
+  LaneParameters parameters = with_cutoff(20);
+  for (const auto& [name, mesh] : high_valence_meshes(300)) {
+    const Marched exact = march(mesh, *GetParam(), parameters, 2, 0);
+    LaneParameters hasty = parameters;
+    hasty.looks_per_corner = 0;
+    const Marched result = march(mesh, *GetParam(), hasty, 2, 0);
+    EXPECT_GT(result.loosened, 0u) << name;
+    EXPECT_LT(result.looks, exact.looks) << name;
+    EXPECT_LE(result.pairs, exact.pairs) << name;
+  }
 }
 
 // Not one row of the patch more, as each costs time, and none less, as the filter would be another.
@@ -202,9 +323,7 @@ TEST_P(LaneKernels, PollInsideALargePatch) {
   PatchBuilder builder(lanes, *GetParam());
   const Patch& patch = builder.build(0, 1, 1e6);
   ASSERT_EQ(patch.rows, 142u * 142u);
-  LaneParameters parameters{};
-  parameters.cutoff = parameters.limit = 1e6f;
-  parameters.tolerance = 4e-6f;
+  const LaneParameters parameters = with_cutoff(1e6);
   GetParam()->shape(
       patch, [](void*) {}, nullptr);
   std::size_t polls = 0;

@@ -22,7 +22,7 @@ FilterPass make_paper_pass() {
   return [lanes](const PassInput& in) {
     if (in.parameters.arithmetic == Arithmetic::reference)
       return PassOutput{paper_pass(in.mesh, in.position, in.normal, in.movable, in.parameters, in.job)};
-    return PassOutput{lanes->run(in)};
+    return lanes->run(in);
   };
 }
 

@@ -59,7 +59,7 @@ void GroupOrder::sort_by_radius(std::uint32_t patch_rows) {
   row_at_.resize(n);
   squared_radius_.resize(n);
   dirty_.resize(n / 64 + 1);
-  queue_.resize(queue_buckets + 3 * n);
+  queue_.resize(queue_buckets + 4 * n);
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t rank = bucket_begin_[bucket(i)]++;
     rank_of_[near_[i]] = rank;
@@ -72,7 +72,8 @@ void GroupOrder::sort_by_radius(std::uint32_t patch_rows) {
   group_.squared_radius = squared_radius_.data();
   group_.dirty = dirty_.data();
   std::uint32_t* const queue = queue_.data();
-  group_.queue = {queue, queue + queue_buckets, queue + queue_buckets + n, queue + queue_buckets + 2 * n};
+  group_.queue = {queue, queue + queue_buckets, queue + queue_buckets + n, queue + queue_buckets + 2 * n,
+                  queue + queue_buckets + 3 * n};
 }
 
 }  // namespace vcg_core::detail

@@ -11,13 +11,13 @@ namespace vcg_core::detail {
 
 /// The paper's filter in single precision, for many vertices at once: the fast twin of paper_pass. Distances and
 /// weights are computed in floats relative to the middle of a few groups of sources, the new position in double. Keeps
-/// from pass to pass what depends on the connectivity and on which vertices may move.
+/// from pass to pass the groups of sources and the faces around each vertex.
 class LanePass {
  public:
   LanePass();
   explicit LanePass(const LaneKernel& kernel);
 
-  Array<Vec3> run(const PassInput& in);
+  PassOutput run(const PassInput& in);
 
  private:
   struct Kept {

@@ -15,12 +15,12 @@ MarchWork lane_march(const Patch& patch, const PatchGroup& group, const LanePara
   std::uint64_t looks = 0;
   if (!patch.has_hubs && group.rows <= most_rows_to_sweep) {
     Sweep sweep(patch, group, parameters, poll, context);
-    if (sweep.run()) return {sweep.looks()};
+    if (sweep.run()) return {sweep.looks(), false};
     looks = sweep.looks();
   }
   Spread spread(patch, group, parameters, poll, context);
   spread.run();
-  return {looks + spread.looks()};
+  return {looks + spread.looks(), spread.loosened()};
 }
 
 }  // namespace

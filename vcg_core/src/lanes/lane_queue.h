@@ -49,6 +49,9 @@ class DistanceQueue {
     return rank;
   }
 
+  /// Up to this distance ranks are in the bucket that comes next.
+  float smallest() const { return static_cast<float>(lowest_ + 1) / buckets_per_unit_; }
+
  private:
   static constexpr std::uint32_t words = queue_buckets / 64;
   static constexpr float most_at_once = 100;  // |e|: a bucket is a tenth of an edge, and no edge that matters as long

@@ -16,19 +16,44 @@ namespace {
 class Spread : MarchState {
  public:
   Spread(const Patch& patch, const PatchGroup& group, const LaneParameters& parameters, LanePoll poll, void* context)
-      : MarchState(patch, group, parameters, poll, context), queue_(group, parameters.limit) {}
+      : MarchState(patch, group, parameters, poll, context), queue_(group, parameters.limit) {
+    const std::uint64_t corners = patch.face_begin[patch.rows];
+    enough_looks_ = corners * parameters.looks_per_corner;
+    eager_looks_ = 4 * corners;  // twice what fans need
+    further_looks_ = enough_looks_ / 4 + 1;
+  }
 
   void run() {
+    for (std::uint32_t rank = 0; rank < g_.rows; ++rank) g_.queue.improved[rank] = 0;
     for (std::uint32_t lane = 0; lane < g_.sources; ++lane) leave(g_.source_row[lane]);
     for (std::uint32_t rank; (rank = queue_.pop()) != DistanceQueue::nothing;) {
+      if (looks_ > enough_looks_) loosen();
       const std::uint32_t row = g_.row_at[rank];
-      if (is_hub(p_, row) || improve(row, take_pending(row))) leave(row);
+      Vector gained;
+      if (p_.pending[row] != 0 && improve(row, take_pending(row), gained)) {
+        g_.queue.improved[rank] = 1;
+        const float distance = Simd::lowest(gained);
+        if (looks_ > eager_looks_ && distance > queue_.smallest()) {
+          queue_.add(rank, distance);
+          continue;
+        }
+      }
+      if (g_.queue.improved[rank] == 0) continue;
+      g_.queue.improved[rank] = 0;
+      leave(row);
     }
   }
 
   std::uint64_t looks() const { return looks_; }
+  bool loosened() const { return loosened_; }
 
  private:
+  void loosen() {
+    double_tolerance();
+    enough_looks_ = looks_ + further_looks_;
+    loosened_ = true;
+  }
+
   std::uint32_t take_pending(std::uint32_t row) {
     const std::uint32_t faces = p_.pending[row];
     p_.pending[row] = 0;
@@ -52,7 +77,7 @@ class Spread : MarchState {
   void make_pending(std::uint32_t f, std::uint32_t row, std::uint32_t mark, const Gain& gain) {
     if (is_hub(p_, row)) return offer_to_hub(f, row);
     p_.pending[row] |= mark;
-    queue_.add(g_.rank_of[row], gain.lowest());
+    queue_.add(g_.rank_of[row], Simd::lowest(gain.in_lanes()));
   }
 
   /// Lowers the distances of a hub by a face that is at hand as another vertex, its apex, sees it.
@@ -63,15 +88,17 @@ class Spread : MarchState {
     Nearest nearest;
     nearest.look_at(Simd::load(at(apex)), Simd::load(at(other)),
                     shape_of(at_row(p_.place, apex), at_row(p_.place, other), at_row(p_.place, hub)));
-    const Vector before = Simd::load(at(hub));
-    const Vector distance = nearest.distance();
-    const Gain gain{distance, Simd::less(distance, enough(before))};
-    if (!gain.any()) return;
-    Simd::store(at(hub), Simd::min(before, distance));
-    queue_.add(g_.rank_of[hub], gain.lowest());
+    Vector gained;
+    if (!store(hub, Simd::load(at(hub)), nearest.distance(), gained)) return;
+    g_.queue.improved[g_.rank_of[hub]] = 1;
+    queue_.add(g_.rank_of[hub], Simd::lowest(gained));
   }
 
   DistanceQueue queue_;
+  std::uint64_t eager_looks_;    ///< up to here an improved row does not wait for its turn
+  std::uint64_t enough_looks_;   ///< with the present tolerance
+  std::uint64_t further_looks_;  ///< with each larger one
+  bool loosened_ = false;
 };
 
 }  // namespace

@@ -34,28 +34,37 @@ class MarchState {
 
   /// What some faces of a row, no hub, make of its distances.
   Nearest look_at(std::uint32_t row, std::uint32_t faces) {
-    count_looks(1);
     const std::uint32_t begin = p_.face_begin[row];
+    std::uint32_t looks = 0;
     Nearest nearest;
     for (; faces != 0; faces &= faces - 1) {
+      ++looks;
       const std::uint32_t f = begin + static_cast<std::uint32_t>(__builtin_ctz(faces));
       nearest.look_at(Simd::load(at(p_.row_1[f])), Simd::load(at(p_.row_2[f])), in_all_lanes(p_.shape[f]));
     }
+    count_looks(looks);
     return nearest;
   }
 
   /// Lowers the distances of a row by some of its faces, if a lane within the limit gains enough. Most rows do not:
   /// squares are compared, and the root is taken of the others only. What decides in the end is what would be stored: a
   /// square may be smaller than another while their roots round to the same number.
-  bool improve(std::uint32_t row, std::uint32_t faces) {
+  /// @param gained  if so, the new distances of the lanes that gain enough, and `unreached` in the others
+  bool improve(std::uint32_t row, std::uint32_t faces, Vector& gained) {
     const Nearest nearest = look_at(row, faces);
     const Vector before = Simd::load(at(row));
     const Vector squared = Simd::min(nearest.squared, Simd::mul(nearest.around, nearest.around));
     // At a source, distance 0, nothing is an improvement, and no square is smaller than 0.
     const Vector positive = Simd::max(enough(before), Simd::set(0));
     if (!Simd::any(Simd::less(squared, Simd::mul(positive, positive)))) return false;
-    const Vector distance = nearest.distance();
-    if (!Simd::any(Simd::less(distance, enough(before)))) return false;
+    return store(row, before, nearest.distance(), gained);
+  }
+
+  /// Stores distances if a lane gains enough; see `improve`.
+  bool store(std::uint32_t row, Vector before, Vector distance, Vector& gained) {
+    const Gain gain{distance, Simd::less(distance, enough(before))};
+    if (!gain.any()) return false;
+    gained = gain.in_lanes();
     Simd::store(at(row), Simd::min(before, distance));
     return true;
   }
@@ -65,7 +74,7 @@ class MarchState {
     Vector distance;  ///< no lane comes out lower
     Mask enough;      ///< lanes in which that would be worth passing on
     bool any() const { return Simd::any(enough); }
-    float lowest() const { return Simd::lowest(Simd::select(enough, distance, Simd::set(unreached))); }
+    Vector in_lanes() const { return Simd::select(enough, distance, Simd::set(unreached)); }
   };
   struct Gains {
     Gain of_row_1, of_row_2;
@@ -91,6 +100,8 @@ class MarchState {
     const Vector bound = Simd::min(around, across);
     return {bound, Simd::less(bound, enough(d))};
   }
+
+  void double_tolerance() { tolerance_ = Simd::add(tolerance_, tolerance_); }
 
   void count_looks(std::uint32_t looks) {
     const std::uint64_t before = looks_;

@@ -28,7 +28,7 @@ class Sweep : MarchState {
 
  private:
   /// Twice what a scan's smallest neighbourhoods take, and more where there is little to lose.
-  bool too_many_looks() const { return looks_ > 1024 + std::uint64_t(6) * g_.rows; }
+  bool too_many_looks() const { return looks_ > 4096 + std::uint64_t(20) * g_.rows; }
 
   /// Among the sources no order suits all lanes: all rows there are swept up, down and up, which leaves little, and
   /// then those with pending faces until nothing improves.
@@ -90,12 +90,15 @@ class Sweep : MarchState {
   void look_back(std::uint32_t row, std::uint32_t faces) {
     const std::uint32_t begin = p_.face_begin[row];
     const Vector from = Simd::load(at(row));
+    std::uint32_t looks = 0;
     for (; faces != 0; faces &= faces - 1) {
+      ++looks;
       const std::uint32_t f = begin + static_cast<std::uint32_t>(__builtin_ctz(faces));
       const auto [of_row_1, of_row_2] = gains(f, from);
       if (of_row_1.any()) renew(p_.row_1[f], p_.marks[f].of_row_1);
       if (of_row_2.any()) renew(p_.row_2[f], p_.marks[f].of_row_2);
     }
+    count_looks(looks);
   }
 
   /// Computes dirty rows of ranks below `end`, always the lowest one next, until there are none; false if it gave up.
@@ -131,7 +134,8 @@ class Sweep : MarchState {
 
   /// Lowers the distances of a row by some of its faces and passes that on, if a lane within the limit gains enough.
   void renew(std::uint32_t row, std::uint32_t faces) {
-    if (improve(row, faces)) pass_on(row);
+    Vector gained;
+    if (improve(row, faces, gained)) pass_on(row);
   }
 
   /// Lowers the distances of a row by some of its faces.

@@ -66,6 +66,7 @@ struct QueueMemory {
   std::uint32_t* bucket_of;  ///< by rank
   std::uint32_t* next;
   std::uint32_t* previous;
+  std::uint32_t* improved;  ///< by rank: whether the row has improved and what is around it does not know yet
 };
 
 /// A group of sources on a patch, one a lane, and the rows within reach of one of them: by rising distance from the
@@ -92,6 +93,9 @@ struct LaneParameters {
   float cutoff;     ///< rho
   float limit;      ///< rho + margin: beyond it distances are not followed
   float tolerance;  ///< a smaller gain is not passed on; added to it: some units in the distance's last place
+  /// After so many looks for each face around each row, and then again and again after a quarter of that, the tolerance
+  /// is doubled: so the march ends in a time that follows from the size of the patch, whatever its shape.
+  std::uint32_t looks_per_corner;
   /// Weight = exp2(-(squared distance * closeness + (height * similarity)^2 + ((1 - n_i.n_j) * normals)^2)).
   float closeness;
   float similarity;
@@ -111,7 +115,9 @@ using LaneShape = void (*)(const Patch& patch, LanePoll poll, void* context);
 
 /// What a march has cost.
 struct MarchWork {
-  std::uint64_t looks;  ///< faces looked at, each in all lanes at once
+  std::uint64_t
+      looks;      ///< visits to rows and, in large neighbourhoods, to the faces around them; for all lanes at once
+  bool loosened;  ///< whether the tolerance was raised, so that it ended: see LaneParameters::looks_per_corner
 };
 
 /// Marches from all sources of the group at once and leaves the distances in patch.distance.
