@@ -84,13 +84,17 @@ std::size_t count_pairs(const Arrays& arrays, double rho) {
   const LanePoll no_poll = [](void*) {};
   std::size_t pairs = 0;
   for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (std::none_of(groups.member.begin() + groups.begin[g], groups.member.begin() + groups.begin[g + 1],
+                     [&](Index v) { return arrays.movable[v] != 0; }))
+      continue;
     const Patch& patch = builder.build(g, g + 1, rho + 0.5);
     const PatchGroup& group = builder.group(g);
     kernel.shape(patch, no_poll, nullptr);
     kernel.march(patch, group, parameters, no_poll, nullptr);
     for (std::uint32_t rank = 0; rank < group.rows; ++rank)
       for (std::uint32_t lane = 0; lane < group.sources; ++lane)
-        pairs += patch.distance[std::size_t(group.row_at[rank]) * kernel.lanes + lane] < parameters.cutoff;
+        pairs += arrays.movable[groups.member[groups.begin[g] + lane]] != 0 &&
+                 patch.distance[std::size_t(group.row_at[rank]) * kernel.lanes + lane] < parameters.cutoff;
   }
   return pairs;
 }

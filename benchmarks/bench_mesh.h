@@ -34,7 +34,7 @@ struct Arrays {
 };
 const Arrays& noisy_arrays(const Kind& kind);
 
-/// Number of pairs (source, vertex nearer than rho), with every vertex a source; rho in |e|.
+/// Number of pairs (source, vertex nearer than rho), with every movable vertex a source; rho in |e|.
 std::size_t count_pairs(const Arrays& arrays, double rho);
 
 /// A job of one thread, without progress.
