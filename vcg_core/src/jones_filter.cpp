@@ -47,7 +47,7 @@ Array<Index> faces_with_area(const FaceMeans& means, Job& job) {
   return faces;
 }
 
-/// Of a Gaussian with standard deviation sigma.
+/// What a Gaussian of standard deviation sigma raises e to.
 double exponent(double squared_argument, double sigma) { return -squared_argument / sigma / sigma / 2; }
 
 /// The vertices of the copy that lends its normals: all that have faces, movable or not. The progress
@@ -112,7 +112,7 @@ PassOutput jones_pass(const PassInput& in) {
         if (!in.movable[i]) continue;
         chunks.poll();
         const Vec3& p = in.position[i];
-        Vec3 sum = Vec3::Zero();  // of the offsets from p to its predictions, in |e|
+        Vec3 sum = Vec3::Zero();  // of the displacements from p to its predictions, in |e|
         double sum_of_weights = 0;
         ball.for_each_near(p, [&](Index q, const Vec3& centroid) {
           if (normal[q].isZero(0)) return;

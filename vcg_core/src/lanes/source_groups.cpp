@@ -60,8 +60,8 @@ class Grouper {
 
   /// A group that is walled in by others takes in what is left near by, in the mesh's order.
   void fill_up(Index seed) {
-    constexpr double hops_apart = 4;
-    constexpr Index look_ahead = 256;
+    constexpr double hops_apart = 4;    // twice the radius of a full group: farther sources share few neighbours
+    constexpr Index look_ahead = 256;  // vertices; as the order is along a curve, later ones are rarely near
     const double far = hops_apart * mesh_.topology.average_edge_length;
     for (Index v = seed + 1; v < block_end_ && v - seed < look_ahead && !full(); ++v)
       if (state(v) == State::left && (mesh_.position[v] - mesh_.position[seed]).norm() < far) grow_from(v);
@@ -93,7 +93,8 @@ class Grouper {
 }  // namespace
 
 SourceGroups group_sources(const MeshArrays& mesh, std::uint32_t lanes, Job& job) {
-  constexpr std::size_t block = 16384;  // fixed, so that the groups do not depend on the number of threads
+  // Fixed, so that the groups do not depend on the number of threads; large, as groups at its rim are not full.
+  constexpr std::size_t block = 16384;
   std::vector<SourceGroups> of_block((mesh.size() + block - 1) / block);
   job.parallel(mesh.size(), block, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
@@ -111,8 +112,8 @@ SourceGroups group_sources(const MeshArrays& mesh, std::uint32_t lanes, Job& job
 }
 
 Array<Index> patch_groups(const SourceGroups& groups, const MeshArrays& mesh) {
-  constexpr Index most_groups = 16;
-  constexpr double far_in_edges = 16;
+  constexpr Index most_groups = 16;    // more hardly lower the share of the building, and the patch leaves the cache
+  constexpr double far_in_edges = 16;  // places stay within some tens of |e|, and floats exact to 4e-6 |e|
   const double far = far_in_edges * mesh.topology.average_edge_length;
   const auto place = [&](Index g) { return mesh.position[groups.member[groups.begin[g]]]; };
   Array<Index> begin;
