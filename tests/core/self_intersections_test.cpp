@@ -10,6 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include <vcg/complex/complex.h>
+
+#include <vcg/complex/algorithms/clean.h>  // needs complex.h before it
+
 #include <support/hand_made.h>
 #include <support/mesh_types.h>
 #include <support/noisy_shapes.h>
@@ -210,6 +214,28 @@ TEST(SelfIntersections, AgreeWithAllPairsOnNoise) {
     const std::size_t expected = naive_count(mesh);
     EXPECT_GT(expected, 10u) << name;
     EXPECT_EQ(count(mesh), expected) << name;
+  }
+}
+
+/// As vcglib lists them, each face once.
+std::size_t count_by_vcglib(const FlatMesh& shape) {
+  RichMesh mesh;
+  fill(mesh, shape);
+  vcg::tri::UpdateBounding<RichMesh>::Box(mesh);
+  std::vector<RichFace*> found;
+  vcg::tri::Clean<RichMesh>::SelfIntersections(mesh, found);
+  std::sort(found.begin(), found.end());
+  return static_cast<std::size_t>(std::unique(found.begin(), found.end()) - found.begin());
+}
+
+// In no special position, where rounding decides nothing.
+TEST(SelfIntersections, AgreeWithVcglibOnCrossingSpheres) {
+  for (const double shift : {0.3, 0.7123, 1.9}) {
+    FlatMesh spheres = icosphere(4);
+    append(spheres, transformed(icosphere(4), [&](const Point& p) { return p + Point(shift, 0.0113, -0.0517); }));
+    const std::size_t expected = count_by_vcglib(spheres);
+    EXPECT_GT(expected, 20u) << shift;
+    EXPECT_EQ(count(spheres), expected) << shift;
   }
 }
 

@@ -87,11 +87,11 @@ class VertexCheck {
 const char* advice_of(Method method) {
   switch (method) {
     case Method::paper:
-      return "this filter moves convex shapes outwards, the more the coarser they are: use the guided filter, or a"
-             " smaller sigma_s";
+      return "this filter moves convex shapes outwards, the more the coarser they are: use the guided filter; a smaller"
+             " sigma_s moves less";
     case Method::bmd:
     case Method::jones:
-      return "use the guided filter, or a smaller sigma_s";
+      return "use the guided filter; a smaller sigma_s moves less";
     case Method::guided:
       return "use a lower strength, or select the noisy part only";
     default:
