@@ -91,7 +91,7 @@ TEST_P(Polls, ComeOftenInAPassOfTheFilter) {
 }
 
 // vcglib's own smoothers do not ask anybody: see progress.h.
-INSTANTIATE_TEST_SUITE_P(Methods, Polls, testing::Values(Method::bmd, Method::jones, Method::hc),
+INSTANTIATE_TEST_SUITE_P(Methods, Polls, testing::Values(Method::bmd, Method::hc),
                          [](const auto& instance) { return vcg_core::method_name(instance.param); });
 
 TEST(PollsOfReading, ComeOftenInALargeMesh) {

@@ -189,10 +189,10 @@ class Studio {
   std::vector<double> errors(const Tile& tile) const {
     if (comparison_.reference)
       return normal_errors(comparison_.noisy.mesh, *tile.positions, positions_of(comparison_.reference->mesh));
-    std::vector<double> way(noisy_.size());
-    for (std::size_t i = 0; i < way.size(); ++i)
-      way[i] = ((*tile.positions)[i] - noisy_[i]).Norm() / comparison_.runs.front().report.average_edge_length;
-    return way;
+    std::vector<double> displacement(noisy_.size());
+    for (std::size_t i = 0; i < displacement.size(); ++i)
+      displacement[i] = ((*tile.positions)[i] - noisy_[i]).Norm() / comparison_.runs.front().report.average_edge_length;
+    return displacement;
   }
 
   /// One scale for all: what the middle one of the methods needs, so that the worst do not bleach the others.
@@ -201,8 +201,8 @@ class Studio {
     for (std::size_t t = 1; t < tiles_.size(); ++t) limits.push_back(round_limit(errors(tiles_[t])));
     std::sort(limits.begin(), limits.end());
     error_limit_ = limits[limits.size() / 2];
-    error_name_ =
-        comparison_.reference ? "error of the normals, degrees" : "way from the noisy mesh, average edge lengths";
+    error_name_ = comparison_.reference ? "error of the normals, degrees"
+                                        : "displacement from the noisy mesh, average edge lengths";
   }
 
   std::string error_limit_text() const {

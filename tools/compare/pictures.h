@@ -20,7 +20,7 @@ struct Pictures {
 
 /// Draws the noisy mesh and all results with f3d under a virtual display and joins the pictures with ImageMagick:
 /// figure9.png, flat shaded, the second row with the region of strongest error enlarged; errors.png, coloured by the
-/// error of the normals (with a reference) or by the way from the noisy mesh, with its scale.
+/// error of the normals (with a reference) or by the displacement from the noisy mesh, with its scale.
 /// @throws vcg_core::Cancelled when the user interrupts; nothing of the work is left then
 Pictures draw_pictures(const Comparison& comparison, const View& view, const std::filesystem::path& folder);
 
