@@ -144,6 +144,16 @@ TEST(HcFilter, CountsEachNeighborOnceOnBrokenMeshes) {
   const SmoothedBy result = smoothed_by(Method::hc, mesh, steps(3));
   expect_near(result.mesh.points, by_the_article(mesh, all_neighbors(mesh), variable, 3));
   EXPECT_EQ(result.report.skipped_vertices.isolated, 1u);
+
+  // Free, the fin's corners have neighbours along its two border edges only: the edge of three faces is no border.
+  Neighbors adj = all_neighbors(mesh);
+  const std::size_t a = mesh.faces[0][0];
+  const std::size_t b = mesh.faces[0][1];
+  adj[a] = adj[b] = {fin};
+  adj[fin] = {a, b};
+  variable.insert({a, b, fin});
+  expect_near(smoothed_by(Method::hc, mesh, steps(3, Boundary::free)).mesh.points,
+              by_the_article(mesh, adj, variable, 3));
 }
 
 // The two steps differ in one sign, so that together they make the plain step to the mean of the neighbours.
