@@ -28,7 +28,7 @@ class Compare(unittest.TestCase):
     @classmethod
     def tool(cls, *arguments, status=0, path=None):
         environment = dict(os.environ, PATH=path or os.environ["PATH"])
-        result = subprocess.run([PROGRAM, *arguments], cwd=cls.folder, capture_output=True, text=True, timeout=110,
+        result = subprocess.run([PROGRAM, *arguments], cwd=cls.folder, capture_output=True, text=True, timeout=600,
                                 env=environment)
         assert result.returncode == status, f"{arguments}: {result.returncode}: {result.stdout}{result.stderr}"
         return result
