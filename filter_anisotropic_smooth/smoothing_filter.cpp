@@ -58,7 +58,8 @@ Report to_map(const SmoothingReport& report) {
              {"flipped_faces", count(report.flipped_faces)},
              {"far_moved_vertices", count(report.far_moved_vertices)},
              {"beyond_ring_vertices", count(report.beyond_ring_vertices)},
-             {"bounded_vertices", count(report.bounded_vertices)}};
+             {"bounded_vertices", count(report.bounded_vertices)},
+             {"approximate_neighbourhoods", count(report.approximate_neighbourhoods)}};
   if (report.estimated_noise) map["estimated_noise"] = *report.estimated_noise;
   return map;
 }

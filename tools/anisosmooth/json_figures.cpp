@@ -29,6 +29,7 @@ ordered_json to_json(const vcg_core::SmoothingReport& report) {
                        {"far_moved_vertices", report.far_moved_vertices},
                        {"beyond_ring_vertices", report.beyond_ring_vertices},
                        {"bounded_vertices", report.bounded_vertices},
+                       {"approximate_neighbourhoods", report.approximate_neighbourhoods},
                        {"closed", report.closed},
                        {"coordinate_spacing", report.coordinate_spacing}};
   if (report.estimated_noise) json["estimated_noise"] = *report.estimated_noise;

@@ -76,6 +76,7 @@ SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const Smoot
     if (filter.needs_normals && pass == 0) count_undefined_normals(mesh, normal, movable, result.report, job);
     PassOutput output = run_pass({mesh, result.position, normal, movable, parameters, job});
     if (pass == 0) result.report.skipped_vertices.empty_neighbourhood = output.empty_neighbourhoods;
+    result.report.approximate_neighbourhoods += output.approximate_neighbourhoods;
     result.report.bounded_vertices += output.bounded_vertices;
     if (output.estimated_noise) result.report.estimated_noise = std::ldexp(*output.estimated_noise, -mesh.exponent);
     for (std::string& note : output.notes) result.report.notes.push_back(std::move(note));

@@ -71,6 +71,9 @@ void describe_result(const SmoothingReport& report, Sentences& sentences) {
         digits(report.max_displacement / report.average_edge_length) + " times that length");
   if (report.beyond_ring_vertices > 0)
     add(vertices_text(report.beyond_ring_vertices) + " moved farther than the longest edge there");
+  if (report.approximate_neighbourhoods > 0)
+    sentences.push_back("around " + vertices_text(report.approximate_neighbourhoods) +
+                        " distances along the surface are approximate, as exact ones would take very long there");
   if (report.self_intersections.value_or(0) > 0)
     add(std::to_string(*report.self_intersections) + " faces of the result cut through other faces");
 }

@@ -52,6 +52,9 @@ struct SmoothingReport {
   /// for other methods.
   std::optional<double> estimated_noise;
   std::size_t bounded_vertices = 0;      ///< wanted to move farther than the filter lets them; of the guided method
+  /// Movable vertices around which the search for neighbours was cut short, as it would have taken out of all proportion:
+  /// a distance may be too large, and a neighbour near the cut-off missing. Of the paper's method; see docs/algorithm.md.
+  std::size_t approximate_neighbourhoods = 0;
   /// Faces of the result that cut through another one; empty unless SmoothingParameters::check asks for it.
   std::optional<std::size_t> self_intersections;
   /// Whether the faces enclose a volume: no border, no edge of three or more faces, all faces of a part look to its
