@@ -17,6 +17,7 @@
 #include <support/mesh_types.h>
 #include <support/noisy_shapes.h>
 #include <support/result_census.h>
+#include <support/smoothed_by.h>
 #include <vcg_core/detail/read_mesh.h>
 #include <vcg_core/smoothing.h>
 
@@ -72,8 +73,16 @@ TEST(ResultCheck, FacesWithoutAreaAreNotFlipped) {
   FlatMesh mesh = square();
   mesh.points[1] = {0.5, 0.5, 0};
   EXPECT_EQ(report_of_one_moved(mesh, 1, {0.2, 0.8, 0}).flipped_faces, 0u) << "without area before";
+  // Less than 1e-12 high, yet not nothing: its normal is what rounding makes of it.
+  const double little = 1e-14;
+  EXPECT_EQ(report_of_one_moved(square(), 1, {0.5 - little, 0.5 + little, 0}).flipped_faces, 0u);
+  mesh.points[1] = {0.5 + little, 0.5 - little, 0};
+  EXPECT_EQ(report_of_one_moved(mesh, 1, {0.2, 0.8, 0}).flipped_faces, 0u);
+  mesh.points[1] = {0.5 + 1e-10, 0.5 - 1e-10, 0};
+  EXPECT_EQ(report_of_one_moved(mesh, 1, {0.2, 0.8, 0}).flipped_faces, 1u);
+  mesh = square();
   mesh.faces.push_back({0, 0, 2});
-  EXPECT_EQ(report_of_one_moved(mesh, 0, {2, 2, 0}).flipped_faces, 1u) << "the third has a repeated vertex";
+  EXPECT_EQ(report_of_one_moved(mesh, 0, {2, 2, 0}).flipped_faces, 2u) << "the third has a repeated vertex";
 }
 
 // All edges of the octahedron are |e| = sqrt 2 long.
@@ -100,6 +109,11 @@ TEST(ResultCheck, TheLongestEdgeOfTheRingCounts) {
   const FlatMesh kite = {{{0, 0, 0}, {8, 0, 0}, {0, 0.1, 0}, {0, -0.1, 0}}, {{0, 1, 2}, {0, 3, 1}}};
   EXPECT_EQ(report_of_one_moved(kite, 0, {0, 0, 7.9}).beyond_ring_vertices, 0u);
   EXPECT_EQ(report_of_one_moved(kite, 0, {0, 0, 8.1}).beyond_ring_vertices, 1u);
+  for (const Triangle& face : {Triangle{0, 1, 2}, Triangle{0, 2, 1}}) {
+    const FlatMesh alone = {{{0, 0, 0}, {8, 0, 0}, {0, 0.1, 0}}, {face}};
+    EXPECT_EQ(report_of_one_moved(alone, 0, {0, 0, 7.9}).beyond_ring_vertices, 0u);
+    EXPECT_EQ(report_of_one_moved(alone, 0, {0, 0, 8.1}).beyond_ring_vertices, 1u);
+  }
 }
 
 TEST(ResultCheck, TellsClosedMeshes) {
@@ -163,6 +177,19 @@ TEST(ResultCheck, CountsWhatIsStored) {
       expect_counts_of_what_is_stored<FloatMesh>(info.method, offset);
     }
   }
+}
+
+// So large that several threads' counts are added up.
+TEST(ResultCheck, CountsOnALargeMesh) {
+  const FlatMesh before = noisy_shape("cad_part", 30000, 1.5);
+  const SmoothedBy result = smoothed_by(Method::laplacian, before);
+  const ResultCensus census = take_census(before, result.mesh);
+  EXPECT_GT(census.flipped_faces, 500u);
+  EXPECT_GT(census.far_moved_vertices, 100u);
+  EXPECT_GT(census.beyond_ring_vertices, 100u);
+  EXPECT_EQ(result.report.flipped_faces, census.flipped_faces);
+  EXPECT_EQ(result.report.far_moved_vertices, census.far_moved_vertices);
+  EXPECT_EQ(result.report.beyond_ring_vertices, census.beyond_ring_vertices);
 }
 
 }  // namespace
