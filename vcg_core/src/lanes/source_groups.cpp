@@ -60,7 +60,7 @@ class Grouper {
 
   /// A group that is walled in by others takes in what is left near by, in the mesh's order.
   void fill_up(Index seed) {
-    constexpr double hops_apart = 4;    // twice the radius of a full group: farther sources share few neighbours
+    constexpr double hops_apart = 4;   // twice the radius of a full group: farther sources share few neighbours
     constexpr Index look_ahead = 256;  // vertices; as the order is along a curve, later ones are rarely near
     const double far = hops_apart * mesh_.topology.average_edge_length;
     for (Index v = seed + 1; v < block_end_ && v - seed < look_ahead && !full(); ++v)
