@@ -25,7 +25,26 @@ namespace {
 
 using namespace test_support;
 
-/// Few vertices on a small lattice, many faces between them at random: every defect at once.
+/// A tube with three sides and `rings` rings an edge apart, closed at both ends: distances reach from both sides.
+FlatMesh tube(std::size_t rings) {
+  FlatMesh mesh;
+  for (std::size_t ring = 0; ring < rings; ++ring)
+    for (std::size_t side = 0; side < 3; ++side) {
+      const auto z = static_cast<double>(ring) + 0.2 * std::sin(static_cast<double>(7 * ring + 3 * side));
+      mesh.points.emplace_back(std::cos(2.1 * static_cast<double>(side)), std::sin(2.1 * static_cast<double>(side)), z);
+      if (ring == 0) continue;
+      const std::size_t a = 3 * ring + side;
+      const std::size_t b = 3 * ring + (side + 1) % 3;
+      mesh.faces.push_back({a, a - 3, b - 3});
+      mesh.faces.push_back({a, b - 3, b});
+    }
+  mesh.faces.push_back({2, 1, 0});
+  mesh.faces.push_back({3 * rings - 3, 3 * rings - 2, 3 * rings - 1});
+  return mesh;
+}
+
+/// Few vertices on a small lattice, many faces between them at random: every defect at once. Now and then they lie at
+/// the end of a tube that is longer than 128 |e|.
 FlatMesh random_soup() {
   const std::size_t vertices = draw<std::size_t>(3, 12);
   FlatMesh soup;
@@ -39,6 +58,10 @@ FlatMesh random_soup() {
     Triangle face;
     for (std::size_t& v : face) v = draw<std::size_t>(0, vertices);
     soup.faces.push_back(face);
+  }
+  if (draw(0, 8) == 0) {
+    append(soup, tube(draw<std::size_t>(250, 350)));
+    soup.faces.push_back({0, 1, vertices});
   }
   return soup;
 }
