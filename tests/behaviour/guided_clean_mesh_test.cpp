@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include <support/clean_shapes.h>
+#include <support/hand_made.h>
 #include <support/noisy_shapes.h>
 #include <support/smoothed_by.h>
 
@@ -48,6 +50,16 @@ TEST(GuidedCleanMesh, OfEveryTessellationIsLeftAlone) {
 TEST(GuidedCleanMesh, OfEveryGeneratedShapeIsLeftAlone) {
   for (const std::string& name : test_support::shape_names())
     expect_left_alone(name, test_support::noisy_shape(name, 3000, 0));
+}
+
+// A cube has no vertex off its edges: nothing tells noise from shape, and the report says so.
+TEST(GuidedCleanMesh, IsNamedAsSuch) {
+  const vcg_core::SmoothingReport report =
+      test_support::smoothed_by(vcg_core::Method::guided, test_support::cube()).report;
+  EXPECT_EQ(report.moved_vertices, 0u);
+  EXPECT_EQ(report.estimated_noise, 0.0);
+  ASSERT_EQ(report.warnings().size(), 1u);
+  EXPECT_NE(report.warnings()[0].find("no noise that can be told from its shape"), std::string::npos);
 }
 
 }  // namespace

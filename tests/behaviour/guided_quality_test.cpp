@@ -1,6 +1,7 @@
 // What the guided method promises of its results, on shapes whose truth is known. The bounds of the first test are what
 // was measured with this noise (another drawing than that of docs/guided.md) with a margin of at most about a third.
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include <mesh_tools/noise.h>
 #include <mesh_tools/shapes.h>
 #include <support/mesh_types.h>
+#include <support/noisy_shapes.h>
 #include <support/smoothed_by.h>
 
 namespace {
@@ -151,6 +153,29 @@ TEST(GuidedFolds, AreFewerThanInTheNoise) {
     mesh_tools::Mesh result = copy_of(noisy);
     vcg_core::smooth(result, Method::guided, vcg_core::method_info(Method::guided).defaults);
     EXPECT_LT(mesh_tools::measure(result, truth).flipped_faces, mesh_tools::measure(noisy, truth).flipped_faces);
+  }
+}
+
+// 25 coarse rounds for each |e| of noise, from 2 to 12.
+TEST(GuidedRounds, FollowTheNoise) {
+  for (const double level : {0.05, 0.15, 0.25, 0.35, 0.5}) {
+    const test_support::FlatMesh noisy = test_support::noisy_shape("torus", 2000, level);
+    const test_support::SmoothedBy automatic = test_support::smoothed_by(Method::guided, noisy);
+    const double noise = automatic.report.estimated_noise.value() / automatic.report.average_edge_length;
+    vcg_core::SmoothingParameters parameters = vcg_core::method_info(Method::guided).defaults;
+    parameters.iterations = static_cast<int>(std::lround(std::clamp(25 * noise, 2.0, 12.0)));
+    const test_support::SmoothedBy fixed = test_support::smoothed_by(Method::guided, noisy, parameters);
+    EXPECT_EQ(automatic.mesh.points, fixed.mesh.points) << level;
+  }
+}
+
+TEST(GuidedDisplacements, AreNoLongerThanTheNoiseExplains) {
+  for (const char* shape : {"cad_part", "thin_plate", "sphere"}) {
+    const test_support::FlatMesh noisy = test_support::noisy_shape(shape, 3000, 0.3);
+    const vcg_core::SmoothingReport report = test_support::smoothed_by(Method::guided, noisy).report;
+    // Around a vertex there may be half as much noise again as on average.
+    EXPECT_LT(report.max_displacement, 1.5 * 5 * report.estimated_noise.value()) << shape;
+    EXPECT_LT(report.bounded_vertices, 0.05 * static_cast<double>(report.vertices)) << shape;
   }
 }
 

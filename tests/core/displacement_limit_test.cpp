@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include <support/hand_made.h>
 #include <support/arrays_of.h>
+#include <support/hand_made.h>
 #include <vcg_core/detail/job.h>
 
 #include "guided/displacement_limit.h"

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include <support/noisy_shapes.h>
 #include <support/arrays_of.h>
+#include <support/noisy_shapes.h>
 #include <vcg_core/detail/job.h>
 #include <vcg_core/detail/mesh_arrays.h>
 

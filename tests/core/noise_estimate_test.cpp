@@ -9,9 +9,9 @@
 
 #include <mesh_tools/noise.h>
 #include <mesh_tools/shapes.h>
+#include <support/arrays_of.h>
 #include <support/clean_shapes.h>
 #include <support/mesh_types.h>
-#include <support/arrays_of.h>
 #include <vcg_core/detail/job.h>
 
 #include "guided/noise_estimate.h"

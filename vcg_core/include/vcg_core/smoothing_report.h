@@ -51,9 +51,10 @@ struct SmoothingReport {
   /// Standard deviation of the mesh's noise along its normals, as the guided method sees it, in the mesh's unit. Empty
   /// for other methods.
   std::optional<double> estimated_noise;
-  std::size_t bounded_vertices = 0;      ///< wanted to move farther than the filter lets them; of the guided method
-  /// Movable vertices around which the search for neighbours was cut short, as it would have taken out of all proportion:
-  /// a distance may be too large, and a neighbour near the cut-off missing. Of the paper's method; see docs/algorithm.md.
+  std::size_t bounded_vertices = 0;  ///< wanted to move farther than the filter lets them; of the guided method
+  /// Movable vertices around which the search for neighbours was cut short, as it would have taken out of all
+  /// proportion: a distance may be too large, and a neighbour near the cut-off missing. Of the paper's method; see
+  /// docs/algorithm.md.
   std::size_t approximate_neighbourhoods = 0;
   /// Faces of the result that cut through another one; empty unless SmoothingParameters::check asks for it.
   std::optional<std::size_t> self_intersections;
