@@ -20,6 +20,7 @@
 #include <QtPlugin>
 
 #include <map>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -124,7 +125,10 @@ class HostAdapter : public QObject, public HostInterface {
     } catch (...) {
       errorMessage = unknown_error();
     }
-    write_log("Error: " + errorMessage.toStdString());
+    try {
+      write_log("Error: " + errorMessage.toStdString());
+    } catch (const std::bad_alloc&) {  // errorMessage says it as well
+    }
     return false;
   }
 

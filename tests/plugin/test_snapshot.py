@@ -9,6 +9,8 @@ import ast
 import json
 import os
 import pathlib
+import subprocess
+import tempfile
 import unittest
 
 from description import describe
@@ -40,6 +42,30 @@ class Snapshot(unittest.TestCase):
         for description, expected in zip(found, released):
             with self.subTest(filter=expected["name"]):
                 self.assertEqual(description, expected)
+
+    def test_defaults_are_those_of_the_core(self):
+        """As the command line reports them, which takes them from the core's table of methods."""
+        methods = {"Anisotropic Feature-Preserving Smoothing": "paper", "Bilateral Mesh Denoising": "bmd",
+                   "Non-Iterative Feature-Preserving Smoothing": "jones", "Guided Anisotropic Smoothing": "guided"}
+        compared = 0
+        for description in describe(os.environ["ANISO_DESCRIBE"], PLUGIN):
+            if description["name"] not in methods:
+                continue
+            with tempfile.TemporaryDirectory() as folder, self.subTest(filter=description["name"]):
+                mesh = pathlib.Path(folder, "cube.ply")
+                report = pathlib.Path(folder, "report.json")
+                tool = os.environ["ANISO_TOOL"]
+                subprocess.run([tool, "generate", "cube", mesh, "--quiet"], check=True)
+                subprocess.run([tool, "smooth", mesh, pathlib.Path(folder, "out.ply"), "--quiet", "--report", report,
+                                "--method", methods[description["name"]]], check=True)
+                defaults = json.loads(report.read_text())["parameters"]
+                for parameter in description["parameters"]:
+                    value = parameter["default"]
+                    if "choices" in parameter:
+                        value = parameter["choices"][value]
+                    self.assertEqual(value, defaults[parameter["name"]], parameter["name"])
+                    compared += 1
+        self.assertEqual(compared, 7 + 5 + 4 + 6)
 
     def test_colour_is_declared_only_where_it_can_change(self):
         (guided,) = [one for one in json.loads(SNAPSHOT.read_text()) if one["name"].startswith("Guided")]
