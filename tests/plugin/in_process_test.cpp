@@ -15,6 +15,7 @@
 #include <QApplication>
 #include <QPluginLoader>
 
+#include <support/allocation_failure.h>
 #include <support/bad_meshes.h>
 #include <support/comparison.h>
 #include <support/hand_made.h>
@@ -203,6 +204,43 @@ TEST(InMeshLab, ACancelLeavesTheLayerBitForBit) {
       EXPECT_EQ(error(), "cancelled; nothing was changed");
       EXPECT_TRUE(LayerState(layer) == before);
     }
+  }
+}
+
+// Once the mesh has changed, want of memory takes the report's words and not the result: an error would say that
+// nothing was changed.
+TEST(InMeshLab, WantOfMemoryAfterTheLastCallLeavesTheWholeResult) {
+  for (const QString& filter : filter_names()) {
+    SCOPED_TRACE(filter.toStdString());
+    MeshDocument expected_document;
+    MeshModel& expected = add_rich_layer(expected_document);
+    ASSERT_TRUE(apply(filter, expected_document)) << error();
+    bool has_failed = false;
+    for (std::size_t spared = 0; spared < 40; ++spared) {
+      MeshDocument document;
+      MeshModel& layer = add_rich_layer(document);
+      const LayerState before(layer);
+      const RichParameterList values = parameters(filter, document, {});
+      static std::size_t left;
+      left = spared;
+      const auto at_the_end = [](const int percent, const char*) {
+        if (percent == 100) test_support::fail_allocations_after(left);
+        return true;
+      };
+      const bool done = plugin().applyFilter(plugin().AC(filter), document, values, at_the_end);
+      has_failed = test_support::allow_allocations() || has_failed;
+      EXPECT_TRUE(done || filter == geodesic) << "the mesh has changed by then: " << error();
+      if (!done) {
+        EXPECT_TRUE(LayerState(layer) == before) << spared;
+        continue;
+      }
+      EXPECT_TRUE(LayerState(layer).same(LayerState(expected), Part::geometry)) << spared;
+      for (std::size_t v = 0; v < layer.cm.vert.size(); ++v) {
+        EXPECT_EQ(layer.cm.vert[v].cQ(), expected.cm.vert[v].cQ());
+        EXPECT_EQ(layer.cm.vert[v].cC(), expected.cm.vert[v].cC());
+      }
+    }
+    EXPECT_TRUE(has_failed) << "there was enough memory every time";
   }
 }
 
