@@ -23,7 +23,7 @@ void smooth_pairs(benchmark::State& state, const bench::Arrays& arrays, const Sm
   for (auto _ : state) {
     LanePass pass;
     benchmark::DoNotOptimize(
-        pass.run({arrays.mesh, arrays.mesh.position, arrays.normal, arrays.movable, parameters, 0, job}));
+        pass.run({arrays.mesh, arrays.mesh.position, arrays.normal, arrays.movable, parameters, job}));
   }
   state.counters["pairs"] = static_cast<double>(bench::count_pairs(arrays, parameters.rho * parameters.sigma_c));
 }

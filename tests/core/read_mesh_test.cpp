@@ -120,6 +120,7 @@ struct Claim {
 };
 
 struct HugeMesh {
+  using ScalarType = double;
   Claim<DoubleMesh::VertexType> vert;
   Claim<DoubleMesh::FaceType> face;
   int vn = 1;

@@ -29,13 +29,12 @@ PointGrid::PointGrid(const Array<Vec3>& position, const Array<Index>& points, do
       key_(points.size()),
       index_(points),
       position_(points.size()) {
-  const auto poll = [job] {
-    if (job != nullptr) job->poll();
+  const auto for_each = [job](std::size_t count, const auto& body) {
+    if (job != nullptr) return job->serial(count, body);
+    for (std::size_t k = 0; k < count; ++k) body(k);
   };
   Eigen::AlignedBox3d box;
-  poll();
-  for (const Index i : points) box.extend(position[i]);
-  poll();
+  for_each(points.size(), [&](std::size_t k) { box.extend(position[points[k]]); });
   origin_ = points.empty() ? Vec3(Vec3::Zero()) : Vec3(box.min());
   const double extent = points.empty() ? 0.0 : box.sizes().maxCoeff();
   // A little wider than the radius, against rounding, which grows with the number of cells.
@@ -51,13 +50,12 @@ PointGrid::PointGrid(const Array<Vec3>& position, const Array<Index>& points, do
   bits_per_axis_ = 1;
   while (std::int64_t(1) << bits_per_axis_ <= last_number_) ++bits_per_axis_;
 
-  for (std::size_t k = 0; k < points.size(); ++k) {
+  for_each(points.size(), [&](std::size_t k) {
     const auto cell = cell_of(position[points[k]]);
     key_[k] = key_of(number_of(0, cell[0]), number_of(1, cell[1]), number_of(2, cell[2]));
-  }
-  poll();
+  });
   radix_sort(key_, index_, 3 * bits_per_axis_, job);
-  for (std::size_t k = 0; k < index_.size(); ++k) position_[k] = position[index_[k]];
+  for_each(index_.size(), [&](std::size_t k) { position_[k] = position[index_[k]]; });
 }
 
 /// Numbers count from 1, as cells do. More layers than there are numbers (over a million, none next to another) share

@@ -7,6 +7,7 @@
 #include <vcg_core/detail/count_intersections.h>
 #include <vcg_core/detail/job.h>
 
+#include "copy_positions.h"
 #include "filter_table.h"
 #include "guided/attribute_smoothing.h"
 #include "result_check.h"
@@ -67,7 +68,7 @@ SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const Smoot
   const Array<std::uint8_t> movable = find_movable(mesh, parameters, result.report, job);
 
   const FilterPass run_pass = filter.make_pass();
-  result.position = mesh.position;
+  result.position = copy_positions(mesh.position, job);
   const int passes = filter.one_pass ? 1 : parameters.iterations;
   for (int pass = 0; pass < passes; ++pass) {
     job.begin_stage("Smoothing", 0.05 + ((parameters.check ? 0.7 : 0.99) - 0.05) * (pass + 1) / passes);

@@ -5,6 +5,7 @@
 
 #include <vcg_core/detail/job.h>
 
+#include "../copy_positions.h"
 #include "../paper_filter.h"
 #include "lane_kernels.h"
 #include "lane_parameters.h"
@@ -19,7 +20,9 @@ LanePass::LanePass(const LaneKernel& kernel) : kernel_(kernel) {}
 PassOutput LanePass::run(const PassInput& in) {
   if (!kept_) {
     kept_ = Kept{make_rings(in.mesh, in.job), group_sources(in.mesh, kernel_.lanes, in.job), {}};
+    in.job.poll();
     kept_->patch_begin = patch_groups(kept_->groups, in.mesh);
+    in.job.poll();
   }
   const SourceGroups& groups = kept_->groups;
   const Array<Index>& patch_begin = kept_->patch_begin;
@@ -32,7 +35,7 @@ PassOutput LanePass::run(const PassInput& in) {
     return std::any_of(groups.member.begin() + groups.begin[g], groups.member.begin() + groups.begin[g + 1],
                        [&](Index v) { return in.movable[v] != 0; });
   };
-  PassOutput out{in.position};
+  PassOutput out{copy_positions(in.position, in.job)};
   std::atomic<std::size_t> approximate{0};
   const auto smooth_group = [&](const Patch& patch, const PatchGroup& group, Index g, Chunks& chunks) {
     float offset[most_lanes];

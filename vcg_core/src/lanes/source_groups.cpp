@@ -104,6 +104,7 @@ SourceGroups group_sources(const MeshArrays& mesh, std::uint32_t lanes, Job& job
   SourceGroups all;
   all.begin.push_back(0);
   for (const SourceGroups& groups : of_block) {
+    job.poll();
     const auto before = static_cast<Index>(all.member.size());
     all.member.insert(all.member.end(), groups.member.begin(), groups.member.end());
     for (std::size_t g = 1; g < groups.begin.size(); ++g) all.begin.push_back(before + groups.begin[g]);
