@@ -59,7 +59,8 @@ TEST_F(DisplacementLimit, FollowsTheNoiseUpToTheLongestEdge) {
     for (int k = 0; k < 3; ++k)
       if (f[k] == 1)
         for (const Index w : f) longest = std::max(longest, (mesh.position[w] - mesh.position[1]).norm());
-  EXPECT_DOUBLE_EQ(limit[1], longest);
+  EXPECT_LT(limit[1], longest);
+  EXPECT_GT(limit[1], 0.99 * longest);
 }
 
 TEST_F(DisplacementLimit, ShortensWhatIsTooFarAndNothingElse) {

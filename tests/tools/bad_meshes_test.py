@@ -69,7 +69,7 @@ class BadMeshes(unittest.TestCase):
         self.assertEqual("Merge Close Vertices" in done.stderr, figures["coincident_vertices"] > 0)
 
     def test_every_method(self):
-        self.assertEqual(len(methods), 7)
+        self.assertEqual(len(methods), 8)
         self.assertGreater(len(families), 30)
         for family, error in families:
             for method in methods:

@@ -17,6 +17,9 @@ constexpr std::size_t grain = 4096;
 /// After this many halvings a vertex goes back altogether, so that the search for turned faces ends.
 constexpr std::uint8_t most_halvings = 6;
 
+/// Just short of the longest edge, so that no rounding carries a vertex beyond its ring.
+constexpr double within_ring = 0.999;
+
 /// Whether noise that moves the vertices by up to their limits can have turned a face over.
 bool can_have_turned(const std::array<Index, 3>& face, const Array<Vec3>& position, const Array<double>& limit,
                      double double_area) {
@@ -46,7 +49,7 @@ Array<double> displacement_limits(const MeshArrays& mesh, const Array<double>& n
         for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s)
           for (const Index corner : {next_in_face(topology.star[s]), previous_in_face(topology.star[s])})
             longest = std::max(longest, (mesh.position[vertex_of(mesh, corner)] - mesh.position[v]).squaredNorm());
-        limit[v] = std::min(deviations * noise[v], std::sqrt(longest));
+        limit[v] = std::min(deviations * noise[v], within_ring * std::sqrt(longest));
       }
   });
   return limit;
