@@ -104,8 +104,11 @@ class Reading(CommandLine):
         cube = self.bytes_of(self.samples()["obj"])
         for library in ("none.mtl", "pipe.mtl", "/dev/zero", "/dev/tty", "."):
             self.write("cube.obj", f"mtllib {library}\n".encode() + cube)
-            done = self.run_tool("smooth", "cube.obj", "out.obj", "--quiet")
+            done = self.run_tool("smooth", "cube.obj", "out.ply", "--quiet")
             self.assertRegex(done.stderr, "warning: .*cannot be read.*colours and textures are lost")
+            done = self.run_tool("smooth", "cube.obj", "out.obj", "--quiet")
+            self.assertEqual(done.stderr, "")
+            self.assertTrue(self.bytes_of("out.obj").startswith(f"mtllib {library}\n".encode()))
 
     def test_unreadable_files(self):
         if os.geteuid() != 0:
@@ -167,7 +170,7 @@ class Reading(CommandLine):
     def test_all_ways_to_write_a_mesh_give_the_same_result(self):
         triangles = [t for face in FACES for t in fan(face)]
         self.write("plain.ply", ply("binary_little_endian", triangles))
-        self.run_tool("smooth", "plain.ply", "expected.ply", "--boundary", "free", "--quiet")
+        self.run_tool("smooth", "plain.ply", "expected.obj", "--boundary", "free", "--quiet")
         lines = ["v %r %r %r\n" % p for p in POINTS]
         polygons = [FACES, [FACES[0], *fan(FACES[1]), *FACES[2:]]]
         files = {"triangles.obj": "".join(lines + ["f %d %d %d\n" % tuple(v + 1 for v in t) for t in triangles]),
@@ -181,13 +184,20 @@ class Reading(CommandLine):
                 files[f"{form}{extra}types.ply"] = ply(form, FACES, "int", "short", extra)
         for name, content in files.items():
             self.write(name, content)
-            done = self.run_tool("smooth", name, "out.ply", "--boundary", "free", "--quiet")
+            done = self.run_tool("smooth", name, "out.obj", "--boundary", "free", "--quiet")
             if name.endswith(".ply"):
-                self.assertEqual(self.bytes_of("out.ply"), self.bytes_of("expected.ply"), name)
+                self.assertEqual(self.bytes_of("out.obj"), self.bytes_of("expected.obj"), name)
                 kept = "vertex.weight, vertex.notes, face.material, mark"
                 self.assertEqual(done.stderr, f"warning: {name}: these properties are not kept: {kept}\n"
                                  if "True" in name else "")
+                done = self.run_tool("smooth", name, "same.ply", "--boundary", "free", "--quiet")
+                self.assertEqual(done.stderr, "", "nothing is lost")
+                self.run_tool("noise", "same.ply", "out.obj", "--level", "0", "--quiet")
+                self.assertEqual(self.bytes_of("out.obj"), self.bytes_of("expected.obj"), name)
             else:  # text has no precision of its own
+                out = f"out.{name[-3:]}"
+                self.run_tool("smooth", name, out, "--boundary", "free", "--quiet")
+                self.run_tool("noise", out, "out.ply", "--level", "0", "--quiet")
                 self.run_tool("smooth", "triangles.obj", "other.ply", "--boundary", "free", "--quiet")
                 self.assertEqual(self.bytes_of("out.ply"), self.bytes_of("other.ply"), name)
 

@@ -19,10 +19,11 @@ from command_line import FORMATS, PROGRAM, CommandLine  # noqa: E402
 
 
 def read_ply(path):
-    """Vertex rows as dicts and the raw face data of a binary PLY file, as this program writes it."""
+    """Vertex rows as dicts and the raw data behind them of a PLY file that begins with its vertices, none of which has a list."""
     with open(path, "rb") as file:
         data = file.read()
     head, body = data.split(b"end_header\n", 1)
+    is_text = b"format ascii" in head
     formats = {"float": "f", "double": "d", "int": "i", "uchar": "B"}
     count, names, layout, in_vertex = 0, [], "<", False
     for line in head.decode().splitlines():
@@ -33,6 +34,10 @@ def read_ply(path):
         elif words[0] == "property" and in_vertex:
             names.append(words[2])
             layout += formats[words[1]]
+    if is_text:
+        lines = body.split(b"\n")
+        rows = [dict(zip(names, map(float, line.split()))) for line in lines[:count]]
+        return head, rows, b"\n".join(lines[count:])
     size = struct.calcsize(layout)
     rows = [dict(zip(names, struct.unpack_from(layout, body, i * size))) for i in range(count)]
     return head, rows, body[count * size:]
@@ -225,8 +230,9 @@ class Subcommands(CommandLine):
         def moved(*options):
             result = self.run_tool("smooth", "selected.ply", "x.ply", "--boundary", "free", *options)
             _, rows, _ = read_ply(self.path("x.ply"))
-            return result, [abs(row["z"] - struct.unpack("f", struct.pack("f", p[2]))[0]) > 0
-                            for row, p in zip(rows, points)]
+            def stored(value):
+                return struct.unpack("f", struct.pack("f", value))[0]
+            return result, [stored(row["z"]) != stored(p[2]) for row, p in zip(rows, points)]
         result, by_default = moved()
         self.assertIn("has a selection", result.stderr)
         expected = [x <= n // 2 for _ in range(n + 1) for x in range(n + 1)]

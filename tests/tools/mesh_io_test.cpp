@@ -161,8 +161,9 @@ TEST_F(MeshIo, ply_names_properties_that_it_cannot_keep) {
             "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
             "property float curvature\nelement face 1\nproperty list uchar int vertex_indices\n"
             "property int region\nend_header\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2 5\n"));
-  ASSERT_EQ(file.warnings.size(), 1u);
-  EXPECT_NE(file.warnings[0].find("vertex.curvature, face.region"), std::string::npos) << file.warnings[0];
+  ASSERT_EQ(file.not_kept.size(), 1u);
+  EXPECT_NE(file.not_kept[0].find("vertex.curvature, face.region"), std::string::npos) << file.not_kept[0];
+  EXPECT_EQ(mesh_tools::write_mesh(file, path("b.ply")), file.not_kept);
 }
 
 /// Triangle strips, as the Stanford scans have them, and a scanner's grid with a hole.
@@ -278,12 +279,12 @@ TEST_F(MeshIo, obj_without_the_normals_that_its_faces_name_is_read) {
   EXPECT_EQ(mesh_tools::read_mesh(write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//7 2//8 3//9\n")).mesh.fn, 1);
 }
 
-TEST_F(MeshIo, obj_without_its_material_file_is_read_with_a_warning) {
+TEST_F(MeshIo, obj_without_its_material_file_says_what_is_lost) {
   const MeshFile file =
       mesh_tools::read_mesh(write("a.obj", "mtllib none.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
   EXPECT_EQ(file.mesh.fn, 1);
-  ASSERT_EQ(file.warnings.size(), 1u);
-  EXPECT_NE(file.warnings[0].find("none.mtl"), std::string::npos) << file.warnings[0];
+  ASSERT_EQ(file.not_kept.size(), 1u);
+  EXPECT_NE(file.not_kept[0].find("none.mtl"), std::string::npos) << file.not_kept[0];
 }
 
 TEST_F(MeshIo, stl_merges_the_corners_of_its_triangles) {

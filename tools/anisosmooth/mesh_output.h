@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include <mesh_tools/mesh_io.h>
 
@@ -25,6 +26,14 @@ inline void write_result(const mesh_tools::MeshFile& file, const std::string& pa
   result_is_in_place();
 }
 
+/// The same for a mesh that was read and whose vertices have moved; see mesh_tools::write_moved().
+inline void write_moved_result(mesh_tools::MeshFile& file, mesh_tools::OriginalFile original, const std::string& path,
+                               bool recolored = false, const mesh_tools::TextFile* with = nullptr) {
+  const CooperativeInterrupt scope;
+  print_warnings(mesh_tools::write_moved(file, std::move(original), path, recolored, interrupted, with));
+  result_is_in_place();
+}
+
 /// The same as write_output for a text alone.
 inline void write_output(const mesh_tools::TextFile& file) {
   const CooperativeInterrupt scope;
@@ -32,8 +41,9 @@ inline void write_output(const mesh_tools::TextFile& file) {
 }
 
 /// Reads a mesh and prints warnings.
-inline mesh_tools::MeshFile read_input(const std::string& path) {
-  mesh_tools::MeshFile file = mesh_tools::read_mesh(path);
+/// @param original  gets the file itself, for write_moved_result()
+inline mesh_tools::MeshFile read_input(const std::string& path, mesh_tools::OriginalFile* original = nullptr) {
+  mesh_tools::MeshFile file = mesh_tools::read_mesh(path, original);
   print_warnings(file.warnings);
   return file;
 }

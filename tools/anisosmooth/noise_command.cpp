@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 #include <mesh_tools/noise.h>
 
@@ -26,10 +27,10 @@ void run(const Options& options) {
   const auto direction =
       options.direction == "any" ? mesh_tools::NoiseDirection::any : mesh_tools::NoiseDirection::normal;
   mesh_tools::check_writable(options.output);
-  mesh_tools::MeshFile file = read_input(options.input);
+  mesh_tools::OriginalFile original;
+  mesh_tools::MeshFile file = read_input(options.input, &original);
   mesh_tools::add_noise(file.mesh, options.level, options.seed, direction);
-  if (file.attributes & mesh_tools::normal_attributes) mesh_tools::update_normals(file.mesh);
-  write_result(file, options.output);
+  write_moved_result(file, std::move(original), options.output);
   if (!options.quiet)
     std::cout << "noise of " << options.level << " average edge lengths on " << file.mesh.vn << " vertices, written to "
               << options.output << "\n";

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <durable_files/replace_file.h>
 #include <mesh_tools/mesh_io.h>
@@ -131,7 +132,8 @@ void run(const Options& options) {
   SmoothingParameters parameters = parameters_of(options, method);
   mesh_tools::check_writable(options.output);
   check_report_path(options);
-  mesh_tools::MeshFile file = read_input(options.input);
+  mesh_tools::OriginalFile original;
+  mesh_tools::MeshFile file = read_input(options.input, &original);
   parameters.selected_only = options.selected.value_or(has_selection(file.mesh));
   if (parameters.selected_only && !options.selected && !options.quiet)
     std::cerr << "the file has a selection: only selected vertices move (--no-selected moves all)\n";
@@ -141,14 +143,13 @@ void run(const Options& options) {
     ProgressBar bar(options.quiet);
     report = smooth_file(file, method.method, parameters, bar.callback()).report;
   }
-  if (file.attributes & mesh_tools::normal_attributes) mesh_tools::update_normals(file.mesh);
   std::optional<mesh_tools::TextFile> text;
   if (!options.report.empty()) {
     nlohmann::ordered_json json = {{"method", method.name}, {"parameters", to_json(method, parameters)}};
     json.update(to_json(report));
     text = {options.report, json.dump(2) + "\n"};
   }
-  write_result(file, options.output, text ? &*text : nullptr);
+  write_moved_result(file, std::move(original), options.output, parameters.smooth_color, text ? &*text : nullptr);
   print_warnings(report.warnings());
   if (!options.quiet) print_summary(options, method, report);
 }

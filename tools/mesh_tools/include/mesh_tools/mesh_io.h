@@ -35,7 +35,14 @@ struct MeshFile {
   Mesh mesh;
   Precision precision = Precision::double_precision;
   int attributes = 0;                 ///< bits of vcg::tri::io::Mask: what the file holds, and what is to be written
-  std::vector<std::string> warnings;  ///< what could not be kept, in sentences
+  std::vector<std::string> warnings;  ///< what is odd about the file, in sentences
+  std::vector<std::string> not_kept;  ///< what of the file is not in here, so that write_mesh() loses it, in sentences
+};
+
+/// A file as it was read.
+struct OriginalFile {
+  std::filesystem::path path;
+  std::string bytes;
 };
 
 /// A text and where it goes.
@@ -48,8 +55,9 @@ struct TextFile {
 /// the one of PLY does not check the last corner of polygons, strips and grids, the one of OBJ drops every face that
 /// refers to the first vertex, the one of OFF does not check indices, the one of STL runs past a buffer. Polygons are
 /// cut into fans of triangles. STL knows no shared vertices: those at exactly the same place are merged.
+/// @param original  gets the file itself, for write_moved()
 /// @throws FileError
-MeshFile read_mesh(const std::filesystem::path& path);
+MeshFile read_mesh(const std::filesystem::path& path, OriginalFile* original = nullptr);
 
 /// Writes PLY (binary), OBJ, OFF or STL (binary), told by the extension, by writers of our own: vcglib's OBJ and OFF
 /// lose digits, its PLY is wrong for some attributes in double precision. The file appears complete or not at all: it
@@ -57,10 +65,23 @@ MeshFile read_mesh(const std::filesystem::path& path);
 /// file beside it. Text has the digits that give the same number back.
 /// @param interrupted  asked just before the renaming; true: stop, leave nothing
 /// @param with         a text file that appears together with the mesh, or neither of them
-/// @return             sentences about attributes that the format cannot hold
+/// @return             sentences about what is lost: MeshFile::not_kept, and attributes that the format cannot hold
 /// @throws FileError, WriteInterrupted
 std::vector<std::string> write_mesh(const MeshFile& file, const std::filesystem::path& path,
                                     const std::function<bool()>& interrupted = {}, const TextFile* with = nullptr);
+
+/// Writes a mesh that was read and whose vertices have moved since. In the format that was read this is a copy of the
+/// original with other numbers: only coordinates that are no longer the same are replaced, and the normals of vertices
+/// and faces that they belong to; with nothing moved, it is the original byte for byte. Text and binary, order, types,
+/// polygons, groups, materials, comments, unknown properties stay. Normals keep their structure (see
+/// docs/command-line.md). In another folder, the path of an OBJ file's materials becomes relative to that folder. In
+/// another format: as write_mesh(), with normals recomputed if there are any.
+/// @param original   of read_mesh()
+/// @param recolored  colours and qualities of vertices may have changed too
+/// @throws FileError, WriteInterrupted
+std::vector<std::string> write_moved(MeshFile& file, OriginalFile original, const std::filesystem::path& path,
+                                     bool recolored, const std::function<bool()>& interrupted = {},
+                                     const TextFile* with = nullptr);
 
 /// The files that write_mesh may write for a mesh at `path`: itself and, of an OBJ file, its materials.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& path);

@@ -9,10 +9,11 @@
 /// One reader and one writer for each format; read_mesh and write_mesh choose and see to files, permissions, renaming.
 namespace mesh_tools::io {
 
-MeshFile read_ply(const std::filesystem::path& path);
-MeshFile read_obj(const std::filesystem::path& path);
-MeshFile read_off(const std::filesystem::path& path);
-MeshFile read_stl(const std::filesystem::path& path);
+/// Readers take the file's bytes; its path is for messages and for what it refers to.
+MeshFile read_ply(const std::string& bytes, const std::filesystem::path& path);
+MeshFile read_obj(const std::string& bytes, const std::filesystem::path& path);
+MeshFile read_off(const std::string& bytes, const std::filesystem::path& path);
+MeshFile read_stl(const std::string& bytes, const std::filesystem::path& path);
 
 /// Writers give the file's bytes.
 std::string ply_bytes(const MeshFile& file);
@@ -25,6 +26,10 @@ struct ObjBytes {
 };
 /// @param material_name  of the material file, as the mesh names it
 ObjBytes obj_bytes(const MeshFile& file, const std::string& material_name);
+
+/// Binary STL: 80 bytes of header and a count, then facets of 50 bytes.
+constexpr std::size_t stl_header_size = 84, stl_facet_size = 50;
+bool is_binary_stl(const std::string& bytes);
 
 /// Attributes that a format can hold, as bits of vcg::tri::io::Mask.
 constexpr int vertex_normal = 0x10, vertex_color = 0x4, vertex_quality = 0x8, vertex_texture = 0x20, vertex_flags = 0x2,

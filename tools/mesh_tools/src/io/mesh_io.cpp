@@ -15,6 +15,7 @@
 #include <vcg/complex/algorithms/update/normal.h>
 
 #include "formats.h"
+#include "splice/splice.h"
 
 namespace mesh_tools {
 namespace fs = std::filesystem;
@@ -39,6 +40,12 @@ bool is_big_endian_machine() {
   unsigned char first = 0;
   std::memcpy(&first, &one, 1);
   return first == 0;
+}
+
+void check_same_count(const fs::path& path, const char* what, std::size_t read, std::size_t found) {
+  if (read == found) return;
+  fail(path, "cannot be written with other coordinates: " + std::to_string(read) + " " + what +
+                 " were read from it, and " + std::to_string(found) + " are found in it");
 }
 
 std::string read_bytes(const fs::path& path) {
@@ -165,7 +172,7 @@ std::vector<fs::path> files_of(const fs::path& path) {
   return {path, path.string() + ".mtl"};
 }
 
-MeshFile read_mesh(const fs::path& path) {
+MeshFile read_mesh(const fs::path& path, OriginalFile* original) {
   check_extension(path);
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -175,12 +182,14 @@ MeshFile read_mesh(const fs::path& path) {
   if (::access(path.c_str(), R_OK) != 0) io::fail(path, std::string("cannot be read: ") + std::strerror(errno));
   if (fs::file_size(path, error) == 0) io::fail(path, "is empty");
   const std::string kind = extension(path);
-  MeshFile file = kind == ".ply"   ? io::read_ply(path)
-                  : kind == ".obj" ? io::read_obj(path)
-                  : kind == ".off" ? io::read_off(path)
-                                   : io::read_stl(path);
+  std::string bytes = io::read_bytes(path);
+  MeshFile file = kind == ".ply"   ? io::read_ply(bytes, path)
+                  : kind == ".obj" ? io::read_obj(bytes, path)
+                  : kind == ".off" ? io::read_off(bytes, path)
+                                   : io::read_stl(bytes, path);
   check_complete(file.mesh, path);
   if (file.mesh.vn == 0) io::fail(path, "holds no vertices");
+  if (original) *original = {path, std::move(bytes)};
   return file;
 }
 
@@ -210,7 +219,31 @@ std::vector<std::string> write_mesh(const MeshFile& file, const fs::path& path,
   if (with) together.push_back(*with);
   together.push_back({path, std::move(bytes)});  // last: who sees the mesh finds the others
   write_together(together, interrupted);
-  return lost_attributes(file.attributes, capability, path);
+  std::vector<std::string> lost = file.not_kept;
+  for (std::string& sentence : lost_attributes(file.attributes, capability, path)) lost.push_back(std::move(sentence));
+  return lost;
+}
+
+std::vector<std::string> write_moved(MeshFile& file, OriginalFile original, const fs::path& path, bool recolored,
+                                     const std::function<bool()>& interrupted, const TextFile* with) {
+  const std::string kind = extension(path);
+  if (kind != extension(original.path)) {
+    original.bytes = {};
+    if (file.attributes & normal_attributes) update_normals(file.mesh);
+    return write_mesh(file, path, interrupted, with);
+  }
+  check_writable(path);
+  const io::SpliceInput input{file, original.path, recolored};
+  std::string bytes = std::move(original.bytes);
+  bytes = kind == ".ply"   ? io::splice_ply(std::move(bytes), input)
+          : kind == ".obj" ? io::splice_obj(std::move(bytes), input, path)
+          : kind == ".off" ? io::splice_off(std::move(bytes), input)
+                           : io::splice_stl(std::move(bytes), input);
+  std::vector<TextFile> together;
+  if (with) together.push_back(*with);
+  together.push_back({path, std::move(bytes)});
+  write_together(together, interrupted);
+  return {};
 }
 
 void write_text(const TextFile& file, const std::function<bool()>& interrupted) { write_together({file}, interrupted); }

@@ -179,7 +179,7 @@ class ObjReader {
         materials_.push_back(std::move(material));
       }
     } catch (const FileError& error) {
-      file_.warnings.push_back(std::string(error.what()) + " (colours and textures are lost)");
+      file_.not_kept.push_back(std::string(error.what()) + " (colours and textures are lost)");
     }
   }
 
@@ -212,7 +212,7 @@ class ObjReader {
     if (all_textured) file_.attributes |= wedge_texture;
     if (!edges_.empty()) file_.attributes |= edges;
     if (!all_textured && !textures_.empty())
-      file_.warnings.push_back(path_.string() + ": not every face has texture coordinates; they are not kept");
+      file_.not_kept.push_back(path_.string() + ": not every face has texture coordinates; they are not kept");
     vcg::tri::UpdateBounding<Mesh>::Box(mesh);
   }
 
@@ -373,7 +373,7 @@ ObjBytes bytes_of(const MeshFile& file, const std::string& material_name) {
 
 }  // namespace
 
-MeshFile read_obj(const std::filesystem::path& path) { return ObjReader(read_bytes(path), path).read(); }
+MeshFile read_obj(const std::string& bytes, const std::filesystem::path& path) { return ObjReader(bytes, path).read(); }
 
 ObjBytes obj_bytes(const MeshFile& file, const std::string& material_name) {
   return file.precision == Precision::double_precision ? bytes_of<double>(file, material_name)

@@ -5,6 +5,7 @@
 #include <vcg/complex/algorithms/update/bounding.h>
 
 #include "formats.h"
+#include "off_header.h"
 #include "text.h"
 
 namespace mesh_tools::io {
@@ -12,43 +13,6 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 using Allocator = vcg::tri::Allocator<Mesh>;
-
-/// The header's words, counts and prefixes.
-struct Header {
-  bool normals = false, colors = false, texture = false;
-  std::int64_t vertices = 0, faces = 0;
-};
-
-Header read_header(LineReader& reader) {
-  Words words;
-  if (!reader.next(words)) reader.fail("holds no OFF header");
-  std::string_view keyword = words[0];
-  if (keyword.size() < 3 || keyword.substr(keyword.size() - 3) != "OFF")
-    reader.fail("the file must begin with the word OFF, CNOFF, COFF or NOFF");
-  Header header;
-  for (std::string_view prefix = keyword.substr(0, keyword.size() - 3); !prefix.empty();) {
-    if (prefix.substr(0, 2) == "ST") {
-      header.texture = true;
-      prefix.remove_prefix(2);
-      continue;
-    }
-    if (prefix[0] == 'C')
-      header.colors = true;
-    else if (prefix[0] == 'N')
-      header.normals = true;
-    else
-      reader.fail("header '" + printable(keyword) + "' is not supported; allowed prefixes are ST, C and N");
-    prefix.remove_prefix(1);
-  }
-  words.erase(words.begin());
-  if (words.size() == 1 && words[0] == "BINARY") reader.fail("binary OFF is not supported; text is");
-  if (words.empty() && !reader.next(words)) reader.fail("the counts of vertices and faces are missing");
-  if (words.size() < 2) reader.fail("the counts of vertices and faces are missing");
-  header.vertices = reader.integer(words[0]);
-  header.faces = reader.integer(words[1]);
-  if (header.vertices < 0 || header.faces < 0) reader.fail("a count is negative");
-  return header;
-}
 
 /// 3 or 4 components, whole numbers 0..255 or fractions 0..1.
 vcg::Color4b read_color(const LineReader& reader, const Words& words, std::size_t first) {
@@ -67,10 +31,9 @@ bool is_color(std::size_t words) { return words == 3 || words == 4; }
 
 }  // namespace
 
-MeshFile read_off(const std::filesystem::path& path) {
-  const std::string text = read_bytes(path);
+MeshFile read_off(const std::string& text, const std::filesystem::path& path) {
   LineReader reader(text, path);
-  const Header header = read_header(reader);
+  const OffHeader header = read_off_header(reader);
   // A vertex takes at least six bytes ("0 0 0" and a line's end) and a face eight, so that wrong counts cannot ask for
   // more memory than the file's size explains.
   const std::int64_t size = static_cast<std::int64_t>(text.size()) + 1;  // the last line's end may be missing
@@ -121,7 +84,7 @@ MeshFile read_off(const std::filesystem::path& path) {
       face.C() = color;
     }
   }
-  if (header.texture) file.warnings.push_back(path.string() + ": texture coordinates are not kept");
+  if (header.texture) file.not_kept.push_back(path.string() + ": texture coordinates are not kept");
   vcg::tri::UpdateBounding<Mesh>::Box(mesh);
   return file;
 }

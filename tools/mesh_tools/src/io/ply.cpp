@@ -21,83 +21,13 @@
 #include "formats.h"
 #include "ply_data.h"
 #include "ply_layout.h"
+#include "ply_roles.h"
 
 namespace mesh_tools::io {
 namespace {
 
 using Type = PlyLayout::Type;
 using Row = PlyData::Row;
-
-/// What a property says of a vertex or a face.
-enum class Role { none, x, y, z, nx, ny, nz, flags, quality, radius, red, green, blue, alpha, gray, u, v, page };
-
-enum class Kind { real, whole, byte };
-
-struct KnownProperty {
-  const char* name;
-  Role role;
-  Kind kind;
-};
-/// The first of several properties with one role is the one that counts.
-constexpr KnownProperty known_of_vertex[] = {{"x", Role::x, Kind::real},
-                                             {"y", Role::y, Kind::real},
-                                             {"z", Role::z, Kind::real},
-                                             {"nx", Role::nx, Kind::real},
-                                             {"ny", Role::ny, Kind::real},
-                                             {"nz", Role::nz, Kind::real},
-                                             {"flags", Role::flags, Kind::whole},
-                                             {"quality", Role::quality, Kind::real},
-                                             {"confidence", Role::quality, Kind::real},
-                                             {"radius", Role::radius, Kind::real},
-                                             {"red", Role::red, Kind::byte},
-                                             {"green", Role::green, Kind::byte},
-                                             {"blue", Role::blue, Kind::byte},
-                                             {"alpha", Role::alpha, Kind::byte},
-                                             {"diffuse_red", Role::red, Kind::byte},
-                                             {"diffuse_green", Role::green, Kind::byte},
-                                             {"diffuse_blue", Role::blue, Kind::byte},
-                                             {"diffuse_alpha", Role::alpha, Kind::byte},
-                                             {"intensity", Role::gray, Kind::real},
-                                             {"texture_u", Role::u, Kind::real},
-                                             {"texture_v", Role::v, Kind::real},
-                                             {"s", Role::u, Kind::real},
-                                             {"t", Role::v, Kind::real}};
-constexpr KnownProperty known_of_face[] = {
-    {"flags", Role::flags, Kind::whole}, {"quality", Role::quality, Kind::real}, {"texnumber", Role::page, Kind::whole},
-    {"red", Role::red, Kind::byte},      {"green", Role::green, Kind::byte},     {"blue", Role::blue, Kind::byte},
-    {"alpha", Role::alpha, Kind::byte},  {"nx", Role::nx, Kind::real},           {"ny", Role::ny, Kind::real},
-    {"nz", Role::nz, Kind::real}};
-
-bool is_of_kind(Type type, Kind kind) {
-  return kind == Kind::real ? !is_whole(type) : kind == Kind::whole ? is_whole(type) : type == Type::uint8;
-}
-
-bool is_corner_list(const PlyLayout::Property& property) {
-  return property.is_list && is_whole(property.type) &&
-         (property.name == "vertex_indices" || property.name == "vertex_index");
-}
-
-/// The roles of an element's numbers, by index of property.
-class Roles {
- public:
-  template <std::size_t N>
-  Roles(const PlyLayout::Element& element, const KnownProperty (&table)[N]) : roles_(element.properties.size()) {
-    for (const KnownProperty& known : table)
-      for (std::size_t i = 0; i < roles_.size(); ++i) {
-        const PlyLayout::Property& property = element.properties[i];
-        if (!property.is_list && property.name == known.name && is_of_kind(property.type, known.kind) &&
-            !has(known.role))
-          roles_[i] = known.role;
-      }
-  }
-
-  Role operator[](std::size_t property) const { return roles_[property]; }
-  bool has(Role role) const { return std::find(roles_.begin(), roles_.end(), role) != roles_.end(); }
-  bool has_normal() const { return has(Role::nx) && has(Role::ny) && has(Role::nz); }
-
- private:
-  std::vector<Role> roles_;
-};
 
 Precision precision_of(const PlyLayout::Element& vertex, const std::filesystem::path& path) {
   Type types[3];
@@ -111,9 +41,6 @@ Precision precision_of(const PlyLayout::Element& vertex, const std::filesystem::
   if (types[0] != types[1] || types[0] != types[2]) fail(path, "vertex properties x, y, z must be of one type");
   return types[0] == Type::float32 ? Precision::single_precision : Precision::double_precision;
 }
-
-/// A fraction of 255 as a byte; 0 if it is not a number.
-unsigned char to_byte(double value) { return value > 0 ? static_cast<unsigned char>(std::min(value, 255.0)) : 0; }
 
 /// vcglib counts textures in 16 bits.
 short to_page(double number) {
@@ -201,7 +128,7 @@ class PlyReader {
         skip(element);
     }
     read_textures();
-    if (!unknown_.empty()) file_.warnings.push_back(path_.string() + ": these properties are not kept: " + unknown_);
+    if (!unknown_.empty()) file_.not_kept.push_back(path_.string() + ": these properties are not kept: " + unknown_);
     vcg::tri::UpdateBounding<Mesh>::Box(file_.mesh);
     return std::move(file_);
   }
@@ -396,10 +323,7 @@ class PlyReader {
 
 }  // namespace
 
-MeshFile read_ply(const std::filesystem::path& path) {
-  const std::string bytes = read_bytes(path);
-  return PlyReader(bytes, path).read();
-}
+MeshFile read_ply(const std::string& bytes, const std::filesystem::path& path) { return PlyReader(bytes, path).read(); }
 
 namespace {
 

@@ -96,12 +96,15 @@ void PlyData::read(const PlyLayout::Element& element, std::size_t index, Row& ro
   index_ = index;
   row.number.resize(element.properties.size());
   row.list.resize(element.properties.size());
+  row.raw.resize(element.properties.size());
   for (std::size_t i = 0; i < element.properties.size(); ++i) {
     const PlyLayout::Property& property = element.properties[i];
-    if (property.is_list)
+    if (property.is_list) {
       read_list(property, row.list[i]);
-    else
+    } else {
       row.number[i] = take(property.type);
+      row.raw[i] = taken_;
+    }
   }
 }
 
@@ -125,6 +128,7 @@ double PlyData::take_text(Type type) {
   while (at_ != end_ && !is_space(*at_)) ++at_;
   if (at_ == start) fail_cut_off();
   const std::string word(start, at_);
+  taken_ = {start, word.size()};
   double value = 0;
   if (is_whole(type)) {
     if (!parse_whole(word, type, value))
@@ -140,6 +144,7 @@ double PlyData::take_binary(Type type) {
   if (size > static_cast<std::size_t>(end_ - at_)) fail_cut_off();
   char raw[8];
   std::memcpy(raw, at_, size);
+  taken_ = {at_, size};
   at_ += size;
   if ((layout_.format == PlyLayout::Format::big_endian) != is_big_endian_machine()) std::reverse(raw, raw + size);
   switch (type) {

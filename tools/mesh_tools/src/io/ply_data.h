@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ply_layout.h"
@@ -19,6 +20,7 @@ class PlyData {
   struct Row {
     std::vector<double> number;
     std::vector<std::vector<double>> list;
+    std::vector<std::string_view> raw;  ///< the bytes of each number
   };
 
   /// Reads row `index` of `element`; to be called for all rows in the order of the file.
@@ -43,6 +45,7 @@ class PlyData {
   const PlyLayout& layout_;
   const std::filesystem::path& path_;
   const char *at_, *end_;
+  std::string_view taken_;                       // bytes of the last number
   const PlyLayout::Element* element_ = nullptr;  // where fail_here() is
   std::size_t index_ = 0;
 };

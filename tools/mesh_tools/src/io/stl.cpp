@@ -17,18 +17,10 @@
 namespace mesh_tools::io {
 namespace {
 
-constexpr std::size_t header_size = 84, facet_size = 50;
+constexpr std::size_t header_size = stl_header_size, facet_size = stl_facet_size;
 constexpr std::uint16_t is_color = 0x8000;  // of a facet's attribute
 
-std::size_t facet_count(const std::string& bytes) {
-  std::uint32_t count = 0;
-  if (bytes.size() >= header_size) std::memcpy(&count, bytes.data() + 80, sizeof count);
-  return count;
-}
-
-bool is_binary(const std::string& bytes) {
-  return bytes.size() >= header_size && bytes.size() == header_size + facet_size * facet_count(bytes);
-}
+std::size_t facet_count(const std::string& bytes) { return (bytes.size() - header_size) / facet_size; }
 
 struct Facet {
   vcg::Point3f corner[3];
@@ -129,9 +121,15 @@ void build(const std::vector<Facet>& facets, Mesh& mesh) {
 
 }  // namespace
 
-MeshFile read_stl(const std::filesystem::path& path) {
-  const std::string bytes = read_bytes(path);
-  const bool binary = is_binary(bytes);
+bool is_binary_stl(const std::string& bytes) {
+  std::uint32_t count = 0;
+  if (bytes.size() < header_size) return false;
+  std::memcpy(&count, bytes.data() + header_size - sizeof count, sizeof count);
+  return bytes.size() == header_size + facet_size * count;
+}
+
+MeshFile read_stl(const std::string& bytes, const std::filesystem::path& path) {
+  const bool binary = is_binary_stl(bytes);
   if (!binary && (bytes.compare(0, 5, "solid") != 0 || bytes.find('\0') != std::string::npos))
     fail(path, "is neither text STL, which begins with 'solid', nor binary STL, whose size is 84 + 50 bytes a facet");
   const std::vector<Facet> facets = binary ? read_binary(bytes) : read_text(bytes, path);

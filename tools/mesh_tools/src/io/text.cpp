@@ -12,31 +12,29 @@ std::string_view LineReader::take_line() {
   std::string_view line = rest_.substr(0, end);
   rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
   ++line_;
+  line = line.substr(0, line.find('#'));  // a backslash in a comment joins nothing
   while (!line.empty() && is_space(line.back())) line.remove_suffix(1);
   return line;
 }
 
+void LineReader::take_words(std::string_view line, std::vector<std::string_view>& words) {
+  std::size_t i = 0;
+  while (i < line.size()) {
+    while (i < line.size() && is_space(line[i])) ++i;
+    const std::size_t start = i;
+    while (i < line.size() && !is_space(line[i])) ++i;
+    if (i > start) words.push_back(line.substr(start, i - start));
+  }
+}
+
 bool LineReader::next(std::vector<std::string_view>& words) {
   words.clear();
-  while (words.empty() && !rest_.empty()) {
+  bool continued = false;
+  while ((continued || words.empty()) && !rest_.empty()) {
     std::string_view line = take_line();
-    if (!line.empty() && line.back() == '\\') {
-      joined_.clear();
-      while (!line.empty() && line.back() == '\\' && !rest_.empty()) {
-        joined_.append(line.substr(0, line.size() - 1)) += ' ';
-        line = take_line();
-      }
-      joined_.append(line);
-      line = joined_;
-    }
-    line = line.substr(0, line.find('#'));
-    std::size_t i = 0;
-    while (i < line.size()) {
-      while (i < line.size() && is_space(line[i])) ++i;
-      const std::size_t start = i;
-      while (i < line.size() && !is_space(line[i])) ++i;
-      if (i > start) words.push_back(line.substr(start, i - start));
-    }
+    continued = !line.empty() && line.back() == '\\';
+    if (continued) line.remove_suffix(1);
+    take_words(line, words);
   }
   return !words.empty();
 }

@@ -9,8 +9,8 @@
 
 namespace mesh_tools::io {
 
-/// Splits a text into lines and lines into words. Comments ('#' to the end of the line) and empty lines are passed
-/// over; a backslash at the end joins a line with the next.
+/// Splits a text into lines and lines into words, which are parts of the text. Comments ('#' to the end of the line)
+/// and empty lines are passed over; a backslash at the end joins a line with the next.
 class LineReader {
  public:
   LineReader(std::string_view text, const std::filesystem::path& path) : rest_(text), path_(path) {}
@@ -27,11 +27,11 @@ class LineReader {
 
  private:
   std::string_view take_line();
+  static void take_words(std::string_view line, std::vector<std::string_view>& words);
 
   std::string_view rest_;
   std::filesystem::path path_;
   std::size_t line_ = 0;
-  std::string joined_;
 };
 
 /// The shortest text that gives the same double back; so a float is the same number to readers of either precision.

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <mesh_tools/mesh_io.h>
+
+/// One function for each format that gives the bytes of a file as it was read, but for the coordinates of vertices that
+/// have moved since, and the normals that follow. What did not change keeps its bytes, number by number.
+namespace mesh_tools::io {
+
+struct SpliceInput {
+  const MeshFile& file;               ///< what was read from the bytes, with vertices moved
+  const std::filesystem::path& path;  ///< where the bytes come from: for messages and material files
+  bool recolored = false;             ///< whether colours and qualities of vertices may have changed too
+};
+
+/// All four throw FileError where the bytes do not fit the mesh.
+std::string splice_ply(std::string bytes, const SpliceInput& input);
+/// @param out  where the result goes: the material file's path is made relative to it
+std::string splice_obj(std::string bytes, const SpliceInput& input, const std::filesystem::path& out);
+std::string splice_off(std::string bytes, const SpliceInput& input);
+std::string splice_stl(std::string bytes, const SpliceInput& input);
+
+/// Throws FileError unless the file holds as many vertices, or facets, as were read from it.
+void check_same_count(const std::filesystem::path& path, const char* what, std::size_t read, std::size_t found);
+
+}  // namespace mesh_tools::io

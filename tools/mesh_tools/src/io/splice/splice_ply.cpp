@@ -1,0 +1,230 @@
+#include "splice.h"
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "../formats.h"
+#include "../ply_data.h"
+#include "../ply_roles.h"
+#include "moved_normals.h"
+#include "text_splicer.h"
+
+namespace mesh_tools::io {
+namespace {
+
+using Type = PlyLayout::Type;
+using Element = PlyLayout::Element;
+using vcg::Point3d;
+
+/// A number as a property of this type holds it.
+double as_stored(double value, Type type) {
+  return type == Type::float32 ? static_cast<double>(static_cast<float>(value)) : value;
+}
+
+/// Puts numbers in the place of others: text into a copy, binary numbers into the bytes themselves.
+class PlyNumbers {
+ public:
+  PlyNumbers(std::string& bytes, PlyLayout::Format format)
+      : bytes_(bytes),
+        format_(format),
+        is_text_(format == PlyLayout::Format::ascii),
+        text_(is_text_ ? std::string_view(bytes) : std::string_view()) {}
+
+  /// @param raw  the number's bytes in the file
+  void replace(std::string_view raw, Type type, double before, double now) {
+    switch (type) {
+      case Type::float32:
+        return put(raw, static_cast<float>(before), static_cast<float>(now));
+      case Type::float64:
+        return put(raw, before, now);
+      default:
+        return put_byte(raw, static_cast<unsigned char>(before), static_cast<unsigned char>(now));
+    }
+  }
+
+  std::string finish() { return is_text_ ? text_.finish() : std::move(bytes_); }
+
+ private:
+  template <class Real>
+  void put(std::string_view raw, Real before, Real now) {
+    if (is_text_) return text_.replace_number(raw, before, now);
+    if (is_same_number(before, now)) return;
+    char binary[sizeof now];
+    std::memcpy(binary, &now, sizeof now);
+    if ((format_ == PlyLayout::Format::big_endian) != is_big_endian_machine())
+      std::reverse(binary, binary + sizeof now);
+    std::memcpy(bytes_.data() + (raw.data() - bytes_.data()), binary, sizeof now);
+  }
+
+  void put_byte(std::string_view raw, unsigned char before, unsigned char now) {
+    if (before == now) return;
+    if (is_text_)
+      text_.replace(raw, std::to_string(now));
+    else
+      bytes_[static_cast<std::size_t>(raw.data() - bytes_.data())] = static_cast<char>(now);
+  }
+
+  std::string& bytes_;
+  PlyLayout::Format format_;
+  bool is_text_;
+  TextSplicer text_;
+};
+
+class PlySplicer {
+ public:
+  PlySplicer(std::string& bytes, const SpliceInput& input)
+      : bytes_(bytes),
+        input_(input),
+        mesh_(input.file.mesh),
+        layout_(parse_ply_header(bytes, input.path)),
+        numbers_(bytes, layout_.format) {}
+
+  std::string splice() {
+    const Element* const vertex = layout_.find("vertex");
+    const Element* const face = layout_.find("face");
+    check_same_count(input_.path, "vertices", mesh_.vert.size(), vertex ? vertex->count : 0);
+    const bool vertex_normals = Roles(*vertex, known_of_vertex).has_normal();
+    const bool face_normals = face && face->count > 0 && Roles(*face, known_of_face).has_normal();
+    if (vertex_normals || face_normals) find_moved(*vertex);
+    if (vertex_normals) renew_vertex_normals();
+    PlyData data(bytes_, layout_, input_.path);
+    std::size_t left = face_normals ? 2 : 1;  // elements with numbers to replace
+    for (const Element& element : layout_.elements) {
+      const bool is_vertex = &element == vertex, is_face = &element == face && face_normals;
+      const Roles roles = is_vertex ? Roles(element, known_of_vertex) : Roles(element, known_of_face);
+      for (std::size_t i = 0; i < element.count; ++i) {
+        data.read(element, i, row_);
+        if (is_vertex) put_vertex(element, roles, i);
+        if (is_face) put_face_normal(element, roles);
+      }
+      if ((is_vertex || is_face) && --left == 0) break;
+    }
+    return numbers_.finish();
+  }
+
+ private:
+  /// The numbers of three roles in a row, those that are not there as 0.
+  Point3d point(const Roles& roles, Role first) const {
+    Point3d p(0, 0, 0);
+    for (std::size_t i = 0; i < row_.number.size(); ++i) {
+      const int k = static_cast<int>(roles[i]) - static_cast<int>(first);
+      if (k >= 0 && k < 3) p[k] = row_.number[i];
+    }
+    return p;
+  }
+
+  /// What the vertices were, where they were.
+  void find_moved(const Element& vertex) {
+    const Roles roles(vertex, known_of_vertex);
+    PlyData data(bytes_, layout_, input_.path);
+    for (const Element& element : layout_.elements) {
+      for (std::size_t i = 0; i < element.count; ++i) {
+        data.read(element, i, row_);
+        if (&element != &vertex) continue;
+        Point3d now = mesh_.vert[i].cP();
+        for (std::size_t p = 0; p < element.properties.size(); ++p) {
+          const int k = static_cast<int>(roles[p]) - static_cast<int>(Role::x);
+          if (k >= 0 && k < 3) now[k] = as_stored(now[k], element.properties[p].type);
+        }
+        vertices_.add(point(roles, Role::x), now);
+        old_normals_.push_back(point(roles, Role::nx));
+      }
+      if (&element == &vertex) return;
+    }
+  }
+
+  void renew_vertex_normals() {
+    normals_.emplace(mesh_, vertices_, old_normals_);
+    normals_->add_triangles();
+    normals_->finish();
+  }
+
+  void put_vertex(const Element& element, const Roles& roles, std::size_t index) {
+    const auto& vertex = mesh_.vert[index];
+    const std::optional<Point3d> normal = normals_ ? normals_->normal(index) : std::nullopt;
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      const Role role = roles[p];
+      switch (role) {
+        case Role::x:
+        case Role::y:
+        case Role::z:
+          put(element, p, vertex.cP()[static_cast<int>(role) - static_cast<int>(Role::x)]);
+          break;
+        case Role::nx:
+        case Role::ny:
+        case Role::nz:
+          if (normal) put(element, p, (*normal)[static_cast<int>(role) - static_cast<int>(Role::nx)]);
+          break;
+        default:
+          if (input_.recolored) put_color(element, p, role, vertex);
+      }
+    }
+  }
+
+  void put_color(const Element& element, std::size_t property, Role role, const detail::VertexD& vertex) {
+    const double before = row_.number[property];
+    switch (role) {
+      case Role::quality: {
+        // The filter has seen it in the precision of the positions.
+        const bool single = input_.file.precision == Precision::single_precision;
+        if (!single || static_cast<float>(before) != static_cast<float>(vertex.cQ()))
+          put(element, property, vertex.cQ());
+        break;
+      }
+      case Role::red:
+      case Role::green:
+      case Role::blue:
+      case Role::alpha:
+        put(element, property, vertex.cC()[static_cast<int>(role) - static_cast<int>(Role::red)]);
+        break;
+      case Role::gray:
+        if (to_byte(255 * before) != vertex.cC()[0]) put(element, property, vertex.cC()[0] / 255.0);
+        break;
+      default:
+        break;
+    }
+  }
+
+  void put_face_normal(const Element& element, const Roles& roles) {
+    const auto list = std::find_if(element.properties.begin(), element.properties.end(), is_corner_list);
+    if (list == element.properties.end()) return;
+    corners_.clear();
+    bool moved = false;
+    for (const double index : row_.list[static_cast<std::size_t>(list - element.properties.begin())]) {
+      if (!(index >= 0 && index < static_cast<double>(mesh_.vert.size()))) return;
+      corners_.push_back(static_cast<std::uint32_t>(index));
+      moved |= vertices_.moved[corners_.back()];
+    }
+    if (!moved) return;
+    const Point3d normal = polygon_normal(mesh_, corners_);
+    if (normal == Point3d(0, 0, 0)) return;
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      const int k = static_cast<int>(roles[p]) - static_cast<int>(Role::nx);
+      if (k >= 0 && k < 3) put(element, p, normal[k]);
+    }
+  }
+
+  void put(const Element& element, std::size_t property, double now) {
+    numbers_.replace(row_.raw[property], element.properties[property].type, row_.number[property], now);
+  }
+
+  std::string& bytes_;
+  const SpliceInput& input_;
+  const Mesh& mesh_;
+  PlyLayout layout_;
+  PlyNumbers numbers_;
+  PlyData::Row row_;
+  MovedVertices vertices_;
+  std::vector<Point3d> old_normals_;
+  std::optional<MovedNormals> normals_;
+  std::vector<std::uint32_t> corners_;
+};
+
+}  // namespace
+
+std::string splice_ply(std::string bytes, const SpliceInput& input) { return PlySplicer(bytes, input).splice(); }
+
+}  // namespace mesh_tools::io

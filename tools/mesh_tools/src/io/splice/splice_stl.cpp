@@ -1,0 +1,109 @@
+#include "splice.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "../formats.h"
+#include "../text.h"
+#include "text_splicer.h"
+
+namespace mesh_tools::io {
+namespace {
+
+using vcg::Point3d;
+using Numbers = std::array<float, 12>;  // of a facet: its normal, its corners
+
+constexpr std::size_t floats = std::tuple_size_v<Numbers>;
+
+/// What a facet becomes. The normal stays where no corner moves, and where the facet has no direction.
+Numbers moved_facet(const Numbers& before, const detail::FaceD& face) {
+  Numbers now = before;
+  bool moved = false;
+  for (std::size_t i = 3; i < floats; ++i) {
+    const double coordinate = face.cP(static_cast<int>(i / 3 - 1))[static_cast<int>(i % 3)];
+    now[i] = static_cast<float>(coordinate);
+    moved |= !is_same_number(before[i], now[i]);
+  }
+  const Point3d normal = (face.cP(1) - face.cP(0)) ^ (face.cP(2) - face.cP(0));
+  const double length = normal.Norm();
+  if (moved && length > 0 && std::isfinite(length))
+    for (int k = 0; k < 3; ++k) now[static_cast<std::size_t>(k)] = static_cast<float>(normal[k] / length);
+  return now;
+}
+
+void reverse_on_big_endian(char (&raw)[floats * sizeof(float)]) {
+  if (!is_big_endian_machine()) return;
+  for (std::size_t i = 0; i < floats; ++i) std::reverse(raw + i * sizeof(float), raw + (i + 1) * sizeof(float));
+}
+
+/// In the bytes themselves.
+std::string splice_binary(std::string bytes, const SpliceInput& input) {
+  const Mesh& mesh = input.file.mesh;
+  check_same_count(input.path, "facets", mesh.face.size(), (bytes.size() - stl_header_size) / stl_facet_size);
+  for (std::size_t f = 0; f < mesh.face.size(); ++f) {
+    char* const at = bytes.data() + stl_header_size + f * stl_facet_size;
+    char raw[floats * sizeof(float)];
+    std::memcpy(raw, at, sizeof raw);
+    reverse_on_big_endian(raw);
+    Numbers before;
+    std::memcpy(before.data(), raw, sizeof raw);
+    Numbers now = moved_facet(before, mesh.face[f]);
+    for (std::size_t i = 0; i < floats; ++i)
+      if (is_same_number(before[i], now[i])) now[i] = before[i];  // 0 and -0 have other bytes
+    std::memcpy(raw, now.data(), sizeof raw);
+    reverse_on_big_endian(raw);
+    std::memcpy(at, raw, sizeof raw);
+  }
+  return bytes;
+}
+
+/// The reader does not look at normals, so they may be anything; what is no number is NaN.
+float normal_number(std::string_view word) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error == std::errc() && end == word.data() + word.size() ? static_cast<float>(value) : std::nanf("");
+}
+
+std::string splice_text(const std::string& bytes, const SpliceInput& input) {
+  const Mesh& mesh = input.file.mesh;
+  TextSplicer text(bytes);
+  LineReader reader(bytes, input.path);
+  std::vector<std::string_view> words;
+  std::array<std::string_view, floats> facet;
+  Numbers before{};
+  std::size_t found = 0, next = 0;
+  while (reader.next(words)) {
+    const bool is_facet = words[0] == "facet", is_vertex = words[0] == "vertex";
+    if (!is_facet && !is_vertex) continue;
+    if (is_facet) next = 0;
+    const std::size_t first = is_facet ? 2 : 1;
+    if (words.size() != first + 3 || next + 3 > floats) reader.fail("is no facet normal or vertex of 3 numbers");
+    for (std::size_t k = 0; k < 3; ++k, ++next) {
+      facet[next] = words[first + k];
+      before[next] = is_facet ? normal_number(facet[next]) : static_cast<float>(reader.number(facet[next]));
+    }
+    if (next < floats) continue;
+    if (found < mesh.face.size()) {
+      const Numbers now = moved_facet(before, mesh.face[found]);
+      for (std::size_t i = 0; i < floats; ++i) text.replace_number(facet[i], before[i], now[i]);
+    }
+    ++found;
+  }
+  check_same_count(input.path, "facets", mesh.face.size(), found);
+  return text.finish();
+}
+
+}  // namespace
+
+std::string splice_stl(std::string bytes, const SpliceInput& input) {
+  return is_binary_stl(bytes) ? splice_binary(std::move(bytes), input) : splice_text(bytes, input);
+}
+
+}  // namespace mesh_tools::io

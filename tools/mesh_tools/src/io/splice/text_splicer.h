@@ -1,0 +1,51 @@
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+namespace mesh_tools::io {
+
+/// Whether two numbers need no telling apart in a file.
+template <class Number>
+bool is_same_number(Number a, Number b) {
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+/// A copy of a text in which words are replaced, from its beginning to its end.
+class TextSplicer {
+ public:
+  /// The text is referred to, not copied.
+  explicit TextSplicer(std::string_view text) : text_(text) { result_.reserve(text.size()); }
+
+  /// @param word  a part of the text, behind all that were replaced before
+  void replace(std::string_view word, std::string_view by) {
+    const auto at = static_cast<std::size_t>(word.data() - text_.data());
+    result_.append(text_, done_, at - done_).append(by);
+    done_ = at + word.size();
+  }
+
+  /// The same with the shortest text that gives a number of this precision back. A word that stands for the number as
+  /// it is stays.
+  template <class Real>
+  void replace_number(std::string_view word, Real before, Real now) {
+    if (is_same_number(before, now)) return;
+    char digits[64];
+    const char* const end = std::to_chars(digits, digits + sizeof digits, now).ptr;
+    replace(word, {digits, static_cast<std::size_t>(end - digits)});
+  }
+
+  std::string finish() {
+    result_.append(text_, done_);
+    done_ = text_.size();
+    return std::move(result_);
+  }
+
+ private:
+  std::string_view text_;
+  std::size_t done_ = 0;  // so much of the text is in the result
+  std::string result_;
+};
+
+}  // namespace mesh_tools::io
