@@ -1,5 +1,6 @@
 // Any bytes in a file of one format (FUZZED_EXTENSION): refused in one line that names the file, or a mesh whose faces
-// refer to its vertices, and that is the same after it was written and read again.
+// refer to its vertices, and that is the same after it was written and read again. Written as what it was read from, it
+// is the same bytes as long as nothing moved, and then a file of the moved mesh.
 
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -64,6 +66,25 @@ void require_same(const Mesh& a, const Mesh& b) {
 /// STL joins vertices by their place: those that are not a number, and those of no facet, are not found again.
 constexpr bool keeps_vertices = std::string_view(FUZZED_EXTENSION) != ".stl";
 
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void require_kept(MeshFile& file, const mesh_tools::OriginalFile& original, const std::filesystem::path& output) {
+  mesh_tools::write_moved(file, original, output, false);
+  FUZZ_REQUIRE(bytes_of(output) == original.bytes);
+  for (auto& vertex : file.mesh.vert)
+    for (int k = 0; k < 3; ++k) {
+      const double place = 1 - vertex.cP()[k];
+      vertex.P()[k] = file.precision == mesh_tools::Precision::single_precision ? static_cast<float>(place) : place;
+    }
+  mesh_tools::write_moved(file, original, output, true);
+  const MeshFile again = mesh_tools::read_mesh(output);
+  require_valid(again.mesh);
+  if (keeps_vertices) require_same(file.mesh, again.mesh);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -71,8 +92,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const std::filesystem::path input = folder.file("in"), output = folder.file("out");
   std::ofstream(input, std::ios::binary).write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   MeshFile file;
+  mesh_tools::OriginalFile original;
   try {
-    file = mesh_tools::read_mesh(input);
+    file = mesh_tools::read_mesh(input, &original);
   } catch (const mesh_tools::FileError& error) {
     const std::string message = error.what();
     FUZZ_REQUIRE(message.find(input.string()) != std::string::npos);
@@ -84,5 +106,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const MeshFile again = mesh_tools::read_mesh(output);
   require_valid(again.mesh);
   if (keeps_vertices) require_same(file.mesh, again.mesh);
+  require_kept(file, original, output);
   return 0;
 }
