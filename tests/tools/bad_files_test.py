@@ -188,8 +188,9 @@ class Reading(CommandLine):
             if name.endswith(".ply"):
                 self.assertEqual(self.bytes_of("out.obj"), self.bytes_of("expected.obj"), name)
                 kept = "vertex.weight, vertex.notes, face.material, mark"
-                self.assertEqual(done.stderr, f"warning: {name}: these properties are not kept: {kept}\n"
-                                 if "True" in name else "")
+                lost = [line for line in done.stderr.splitlines() if "polygons were cut into triangles" not in line]
+                self.assertEqual(lost, [f"warning: {name}: these properties are not kept: {kept}"]
+                                 if "True" in name else [])
                 done = self.run_tool("smooth", name, "same.ply", "--boundary", "free", "--quiet")
                 self.assertEqual(done.stderr, "", "nothing is lost")
                 self.run_tool("noise", "same.ply", "out.obj", "--level", "0", "--quiet")

@@ -170,6 +170,31 @@ TEST_F(MovedFile, another_format_is_written_anew_and_what_is_lost_is_named) {
   EXPECT_EQ(bytes_of(path("b.obj")), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
 }
 
+TEST_F(MovedFile, structure_that_another_format_loses_is_named) {
+  const auto lost = [&](const char* name, const std::string& bytes) {
+    OriginalFile original;
+    MeshFile file = mesh_tools::read_mesh(write(name, bytes), &original);
+    std::string all;
+    for (const std::string& sentence : mesh_tools::write_moved(file, original, path("out.stl"), false))
+      all += sentence.substr(sentence.find(": ") + 2) + "\n";
+    return all;
+  };
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+  EXPECT_EQ(lost("a.obj", corners + "f 1 2 3\n"), "");
+  EXPECT_EQ(lost("a.obj", corners + "s 1\ng a\ng b\nf 1 2 3 4\nf 1 2 3\n"),
+            "these statements are not kept: g, s\n1 polygon was cut into triangles\n");
+  EXPECT_EQ(lost("a.obj", corners + "vn 0 0 1\nvn 1 0 0\nf 1//1 2//1 3//1\nf 1//2 3//1 4//1\n"),
+            "normals per corner become normals per vertex\n"
+            "the format cannot hold these attributes, they are left out: vertex normals\n");
+  EXPECT_EQ(lost("a.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n4 3 2 1 0\n"),
+            "2 polygons were cut into triangles\n");
+  EXPECT_EQ(lost("a.ply",
+                 "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                 "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 "
+                 "1 2 3\n"),
+            "1 polygon was cut into triangles\n");
+}
+
 TEST_F(MovedFile, bytes_that_do_not_fit_the_mesh_are_refused_and_leave_nothing) {
   const std::map<std::string, std::pair<std::string, std::string>> cases = {
       {"a.obj", {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "v 0 0 0\nv 1 0 0\nf 1 2 3\n"}},

@@ -42,6 +42,9 @@ constexpr int obj_attributes = vertex_normal | vertex_color | wedge_texture | we
 constexpr int off_attributes = vertex_normal | vertex_color | face_color;
 constexpr int stl_attributes = face_color;
 
+/// Adds what is not kept of polygons, if there are any: that they are cut into triangles.
+void note_polygons(std::size_t count, const std::filesystem::path& path, MeshFile& file);
+
 /// "FILE: what" as a FileError.
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& what);
 [[noreturn]] void fail_at_line(const std::filesystem::path& path, std::size_t line, const std::string& what);

@@ -27,6 +27,12 @@ void fail_at_line(const fs::path& path, std::size_t line, const std::string& wha
   throw FileError(path.string() + ", line " + std::to_string(line) + ": " + what);
 }
 
+void note_polygons(std::size_t count, const fs::path& path, MeshFile& file) {
+  if (count > 0)
+    file.not_kept.push_back(path.string() + ": " + std::to_string(count) +
+                            (count == 1 ? " polygon was" : " polygons were") + " cut into triangles");
+}
+
 std::string printable(std::string_view word) {
   constexpr std::size_t longest = 40;
   std::string text(word.substr(0, longest));

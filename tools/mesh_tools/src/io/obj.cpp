@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
@@ -91,6 +92,8 @@ class ObjReader {
         read_materials(words);
       else if (what == "usemtl")
         use_material(words);
+      else if (unknown_.size() < most_unknown)
+        unknown_.emplace(printable(what));
     }
     build();
     return std::move(file_);
@@ -161,6 +164,7 @@ class ObjReader {
     if (words.size() < 4) reader_.fail("a face has fewer than 3 vertices");
     std::vector<Corner> corners;
     for (std::size_t i = 1; i < words.size(); ++i) corners.push_back(read_corner(words[i]));
+    if (corners.size() > 3) ++polygons_;
     for (std::size_t i = 2; i < corners.size(); ++i)
       triangles_.push_back({{corners[0], corners[i - 1], corners[i]}, material_});
   }
@@ -213,7 +217,19 @@ class ObjReader {
     if (!edges_.empty()) file_.attributes |= edges;
     if (!all_textured && !textures_.empty())
       file_.not_kept.push_back(path_.string() + ": not every face has texture coordinates; they are not kept");
+    std::string unknown;
+    for (const std::string& statement : unknown_) unknown += (unknown.empty() ? "" : ", ") + statement;
+    if (!unknown.empty()) file_.not_kept.push_back(path_.string() + ": these statements are not kept: " + unknown);
+    if (has_split_normals_) file_.not_kept.push_back(path_.string() + ": normals per corner become normals per vertex");
+    note_polygons(polygons_, path_, file_);
     vcg::tri::UpdateBounding<Mesh>::Box(mesh);
+  }
+
+  /// The last of several normals counts.
+  void set_normal(detail::VertexD& vertex, const vcg::Point3d& normal) {
+    const vcg::Point3d none(0, 0, 0);
+    has_split_normals_ |= vertex.cN() != none && vertex.cN() != normal;
+    vertex.N() = normal;
   }
 
   void fill_face(const Triangle& triangle, detail::FaceD& face, bool& all_textured, bool& all_normal) {
@@ -223,7 +239,7 @@ class ObjReader {
       face.V(k) = &file_.mesh.vert[corner.vertex];
       all_normal &= corner.normal >= 0;
       all_textured &= corner.texture >= 0;
-      if (corner.normal >= 0) face.V(k)->N() = normals_[corner.normal];
+      if (corner.normal >= 0) set_normal(*face.V(k), normals_[corner.normal]);
       if (corner.texture < 0) continue;
       face.WT(k).u() = textures_[corner.texture].u;
       face.WT(k).v() = textures_[corner.texture].v;
@@ -248,6 +264,10 @@ class ObjReader {
   std::vector<Material> materials_;
   std::unordered_map<std::string, int> material_of_;  // index in materials_ by name
   TexturePages pages_;
+  static constexpr std::size_t most_unknown = 20;  // of any bytes there may be many
+  std::set<std::string> unknown_;
+  std::size_t polygons_ = 0;
+  bool has_split_normals_ = false;
   int material_ = -1;
 };
 

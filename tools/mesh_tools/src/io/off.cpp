@@ -58,6 +58,7 @@ MeshFile read_off(const std::string& text, const std::filesystem::path& path) {
       file.attributes |= vertex_color;
     }
   }
+  std::size_t polygons = 0;
   for (std::int64_t f = 0; f < header.faces; ++f) {
     if (!reader.next(words)) reader.fail("the file ends before its " + std::to_string(header.faces) + " faces");
     const std::int64_t corners = reader.integer(words[0]);
@@ -74,6 +75,7 @@ MeshFile read_off(const std::string& text, const std::filesystem::path& path) {
     const bool colored = is_color(words.size() - end);
     const vcg::Color4b color = colored ? read_color(reader, words, end) : vcg::Color4b(255, 255, 255, 255);
     if (colored) file.attributes |= face_color;
+    if (index.size() > 3) ++polygons;
     for (std::size_t k = 2; k < index.size(); ++k) {
       // Not by Allocator::AddFace, which aborts on a repeated vertex where assertions are on.
       detail::FaceD& face = mesh.face.emplace_back();
@@ -85,6 +87,7 @@ MeshFile read_off(const std::string& text, const std::filesystem::path& path) {
     }
   }
   if (header.texture) file.not_kept.push_back(path.string() + ": texture coordinates are not kept");
+  note_polygons(polygons, path, file);
   vcg::tri::UpdateBounding<Mesh>::Box(mesh);
   return file;
 }

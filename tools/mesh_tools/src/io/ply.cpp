@@ -197,6 +197,7 @@ class PlyReader {
     });
     const Roles roles(element, known_of_face);
     const std::vector<double> none;
+    std::size_t polygons = 0;
     file_.mesh.face.reserve(
         std::min(element.count, data_.most_rows(element, &*list, 3)));  // the header may say too much
     for (std::size_t i = 0; i < element.count; ++i) {
@@ -210,6 +211,7 @@ class PlyReader {
         data_.fail_at_row(element, i,
                           "has " + std::to_string(wedges.size()) + " texture coordinates; allowed are " +
                               std::to_string(2 * corners.size()) + ", two for each corner, and none");
+      if (corners.size() > 3) ++polygons;
       for (std::size_t c = 2; c < corners.size(); ++c) {
         detail::FaceD& face = add_face();
         const std::size_t corner[3] = {0, c - 1, c};
@@ -226,6 +228,7 @@ class PlyReader {
         }
       }
     }
+    note_polygons(polygons, path_, file_);
     add_unknown(element, known_of_face, {list->name, "texcoord"});
     const auto add = [&](bool present, int attribute) { file_.attributes |= present ? attribute : 0; };
     add(roles.has_normal(), face_normal);
