@@ -166,6 +166,28 @@ TEST_F(MovedNormals, polygons_have_one_normal_also_where_they_are_concave) {
   expect_normals_turn(write("a.obj", obj + "f 1//1 2//2 3//3 4//4 5//5\n"), is_vn, 5);
 }
 
+TEST_F(MovedNormals, a_corner_that_points_inwards_counts_with_the_angle_inside) {
+  // A prism; at each corner a cap with the polygon's inner angle and two upright faces with right angles.
+  const double corner[5][2] = {{0, 0}, {2, 0}, {2, 2}, {1, 0.5}, {0, 2}};
+  const Point3d up(0, 0, 1);
+  std::string obj, bottom, top, sides;
+  for (const double z : {0.0, 1.0})
+    for (int i = 0; i < 5; ++i) {
+      const auto place = [&](int k) { return Point3d(corner[k % 5][0], corner[k % 5][1], z); };
+      const Point3d next = (place(i + 1) - place(i)).Normalize(), last = (place(i) - place(i + 4)).Normalize();
+      const double angle = M_PI - std::atan2((last ^ next) * up, last * next);
+      const Point3d sum = up * (angle * (2 * z - 1)) + ((next ^ up) + (last ^ up)) * (M_PI / 2);
+      obj += "v" + text(place(i)) + "\nvn" + text(Point3d(sum).Normalize()) + "\n";
+    }
+  const auto name = [](int v) { return " " + std::to_string(v + 1) + "//" + std::to_string(v + 1); };
+  for (int i = 0; i < 5; ++i) {
+    bottom += name(4 - i);
+    top += name(5 + i);
+    sides += "f" + name(i) + name((i + 1) % 5) + name(5 + (i + 1) % 5) + name(5 + i) + "\n";
+  }
+  expect_normals_turn(write("prism.obj", obj + "f" + bottom + "\nf" + top + "\n" + sides), is_vn, 10);
+}
+
 TEST_F(MovedNormals, only_normals_near_what_moved_change) {
   const Mesh mesh = mesh_tools::make_shape("sphere", 200);
   std::string obj;
