@@ -107,7 +107,7 @@ class Reading(CommandLine):
             done = self.run_tool("smooth", "cube.obj", "out.ply", "--quiet")
             self.assertRegex(done.stderr, "warning: .*cannot be read.*colours and textures are lost")
             done = self.run_tool("smooth", "cube.obj", "out.obj", "--quiet")
-            self.assertEqual(done.stderr, "")
+            self.assertNotIn("lost", done.stderr)
             self.assertTrue(self.bytes_of("out.obj").startswith(f"mtllib {library}\n".encode()))
 
     def test_unreadable_files(self):
