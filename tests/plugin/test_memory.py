@@ -9,7 +9,7 @@ import scripts
 from environment import Display, PrivateMeshLab, fresh_work_folder, run_tool
 
 MIB = 1 << 20
-SPARE = 24 * MIB  # what the host needs one time more than another
+SPARE = 32 * MIB  # what MeshLab itself needs one time more than another
 STEPS = 3
 
 
@@ -70,6 +70,8 @@ class Memory(unittest.TestCase):
                 if done.returncode == 0:
                     self.assertEqual(result, expected, f"{filter_name} within {limit // MIB} MiB")
                     continue
+                if "Starting Script" not in done.stdout:
+                    continue  # not enough for MeshLab's own start
                 refused += 1
                 self.assertEqual(done.returncode, 255, f"{filter_name} within {limit // MIB} MiB: {done.stdout}")
                 self.assertIn("not enough memory; nothing was changed", done.stdout)

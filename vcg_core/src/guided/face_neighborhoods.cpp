@@ -5,6 +5,8 @@
 
 #include <vcg_core/detail/job.h>
 
+#include "../sparse_index_map.h"
+
 namespace vcg_core::detail {
 
 namespace {
@@ -21,20 +23,21 @@ std::size_t faces_of(const MeshTopology& topology, Index v) {
   return topology.star_begin[v + 1] - topology.star_begin[v];
 }
 
-/// Faces that were seen from the current one; forgets them all at once.
+/// Faces that were seen from the current one.
 class Marks {
  public:
-  explicit Marks(std::size_t size) : mark_(size, 0) {}
-  void clear() { ++current_; }
+  explicit Marks(std::size_t size) : seen_from_(size) {}
+  void begin(Index current) { current_ = current; }
+  void forget_all() { seen_from_.clear(); }
   /// Whether it was not marked before.
   bool add(Index f) {
-    if (mark_[f] == current_) return false;
-    mark_[f] = current_;
+    if (seen_from_[f] == current_) return false;
+    seen_from_.set(f, current_);
     return true;
   }
 
  private:
-  Array<Index> mark_;
+  SparseIndexMap seen_from_;
   Index current_ = 0;
 };
 
@@ -49,9 +52,10 @@ FaceLists make_lists(std::size_t faces, Job& job, const Append& append) {
     Marks marks(faces);
     while (chunks.next()) {
       Array<Index>& list = part[chunks.index()];
+      marks.forget_all();
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
         const std::size_t before = list.size();
-        marks.clear();
+        marks.begin(static_cast<Index>(f));
         append(static_cast<Index>(f), marks, list);
         lists.begin[f + 1] = list.size() - before;
       }

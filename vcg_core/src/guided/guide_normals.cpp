@@ -7,6 +7,7 @@
 
 #include <vcg_core/detail/job.h>
 
+#include "../sparse_index_map.h"
 #include "median.h"
 #include "range_weight.h"
 
@@ -28,7 +29,10 @@ class PatchMeasure {
  public:
   PatchMeasure(const FaceLists& around, const Array<Index>& across, const Array<double>& area,
                const Array<Vec3>& normal)
-      : around_(around), across_(across), area_(area), normal_(normal), member_of_(area.size(), no_face) {}
+      : around_(around), across_(across), area_(area), normal_(normal), member_of_(area.size()) {}
+
+  /// Keeps the memory small: to be called now and then, between two patches.
+  void forget_all() { member_of_.clear(); }
 
   Patch measure(Index f) {
     Patch patch;
@@ -49,7 +53,7 @@ class PatchMeasure {
   double widest_difference(Index f, const Vec3& mean) {
     double widest = 0;
     for (const Index* g = around_.first(f); g != around_.last(f); ++g) {
-      member_of_[*g] = f;
+      member_of_.set(*g, f);
       widest = std::max(widest, (normal_[*g] - mean).squaredNorm());
     }
     return std::sqrt(widest);
@@ -75,7 +79,7 @@ class PatchMeasure {
   const Array<Index>& across_;
   const Array<double>& area_;
   const Array<Vec3>& normal_;
-  Array<Index> member_of_;
+  SparseIndexMap member_of_;  ///< by face: the patch that it was last found in
 };
 
 /// Median length of the difference of adjoining unit normals, of at most 2^18 edges.
@@ -107,8 +111,10 @@ Array<Vec3> guide_normals(const FaceLists& around, const Array<Index>& across, c
   std::vector<Patch> patch(count);
   job.parallel(count, grain, Loop::minor, [&](Chunks& chunks) {
     PatchMeasure measure(around, across, faces.area, normal);
-    while (chunks.next())
+    while (chunks.next()) {
+      measure.forget_all();
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) patch[f] = measure.measure(static_cast<Index>(f));
+    }
   });
 
   Array<Vec3> guide(count);

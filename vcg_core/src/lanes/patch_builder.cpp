@@ -17,7 +17,7 @@ PatchBuilder::PatchBuilder(const LaneMesh& lanes, const LaneKernel& kernel)
       lane_count_(kernel.lanes),
       per_unit_(1 / lanes.mesh.topology.average_edge_length),
       order_(kernel.near),
-      row_of_(lanes.mesh.size(), unknown) {}
+      row_of_(lanes.mesh.size()) {}
 
 const Patch& PatchBuilder::build(std::size_t first, std::size_t last, double reach, const std::function<void()>& poll) {
   forget_last();
@@ -39,10 +39,8 @@ const PatchGroup& PatchBuilder::group(std::size_t g) {
 }
 
 void PatchBuilder::forget_last() {
-  for (const Row& row : rows_) row_of_[row.vertex] = unknown;
-  for (const Index v : found_outside_) row_of_[v] = unknown;
+  row_of_.clear();
   rows_.clear();
-  found_outside_.clear();
 }
 
 void PatchBuilder::place_sources() {
@@ -54,7 +52,7 @@ void PatchBuilder::place_sources() {
   source_row_.clear();
   for (Index s = begin; s < end; ++s) {
     source_row_.push_back(static_cast<std::uint32_t>(rows_.size()));
-    row_of_[member[s]] = source_row_.back();
+    row_of_.set(member[s], source_row_.back());
     rows_.push_back(row_at(member[s]));
   }
   ball_.clear();
@@ -136,11 +134,10 @@ void PatchBuilder::consider(Index vertex) {
     if (near) last_near_ = g;
   }
   if (near) {
-    row_of_[vertex] = static_cast<std::uint32_t>(rows_.size());
+    row_of_.set(vertex, static_cast<std::uint32_t>(rows_.size()));
     rows_.push_back(row);
   } else {
-    row_of_[vertex] = outside;
-    found_outside_.push_back(vertex);
+    row_of_.set(vertex, outside);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "../sparse_index_map.h"
 #include "group_order.h"
 #include "patch.h"
 #include "ring.h"
@@ -42,7 +43,7 @@ class PatchBuilder {
     Index vertex;
     float place[3];
   };
-  static constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t unknown = SparseIndexMap::none;
   static constexpr std::uint32_t outside = unknown - 1;
 
   void forget_last();
@@ -68,9 +69,8 @@ class PatchBuilder {
   std::size_t last_near_ = 0;    ///< the ball that held the last row found, and probably holds the next
   GroupOrder order_;
   std::vector<std::uint32_t> source_row_;  ///< by source of the patch
-  std::vector<std::uint32_t> row_of_;      ///< by vertex of the mesh: its row, or `unknown`, or `outside`
+  SparseIndexMap row_of_;                  ///< by vertex of the mesh: its row, or `unknown`, or `outside`
   std::vector<Row> rows_;                  ///< sources first, then as they are found
-  std::vector<Index> found_outside_;
   std::vector<float> place_[3];
   std::vector<float> normal_[3];
   std::vector<std::uint32_t> face_begin_;
