@@ -24,7 +24,7 @@ SmoothedFile smooth_file(mesh_tools::MeshFile& file, vcg_core::Method method,
   if (file.precision == mesh_tools::Precision::double_precision) return timed(file.mesh, method, parameters, progress);
   mesh_tools::MeshF mesh;
   mesh_tools::to_single_precision(file.mesh, mesh);
-  const SmoothedFile result = timed(mesh, method, parameters, progress);
+  SmoothedFile result = timed(mesh, method, parameters, progress);
   mesh_tools::take_vertices(mesh, file.mesh);
   return result;
 }

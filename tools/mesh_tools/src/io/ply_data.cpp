@@ -88,7 +88,7 @@ std::size_t PlyData::most_rows(const PlyLayout::Element& element, const PlyLayou
   std::size_t bytes = list ? entries * fewest_bytes(list->type) : 0;
   for (const PlyLayout::Property& property : element.properties)
     bytes += fewest_bytes(property.is_list ? property.count_type : property.type);
-  return (static_cast<std::size_t>(end_ - at_) + 1) / bytes;  // the last space may be missing
+  return (static_cast<std::size_t>(end_ - at_) + 1) / std::max<std::size_t>(bytes, 1);  // the last space may be missing
 }
 
 void PlyData::read(const PlyLayout::Element& element, std::size_t index, Row& row) {

@@ -107,10 +107,12 @@ class ObjSplicer {
     normals_->finish();
   }
 
+  /// The k-th number of a statement, whose numbers begin with the word `first`.
+  std::string_view number_word(std::size_t first, int k) const { return words_[first + static_cast<std::size_t>(k)]; }
+
   void put_vertex(const LineReader& reader, std::size_t index) {
     const auto& vertex = mesh_.vert[index];
-    for (int k = 0; k < 3; ++k)
-      text_.replace_number(words_[static_cast<std::size_t>(1 + k)], vertices_.before[index][k], vertex.cP()[k]);
+    for (int k = 0; k < 3; ++k) text_.replace_number(number_word(1, k), vertices_.before[index][k], vertex.cP()[k]);
     if (input_.recolored && words_.size() >= 7) put_color(reader, vertex.cC());
   }
 
@@ -120,17 +122,16 @@ class ObjSplicer {
                                        [&](std::string_view word) { return reader.number(word) <= 1; });
     const double scale = fractions ? 255 : 1;
     for (int k = 0; k < 3; ++k) {
-      const std::string_view word = words_[static_cast<std::size_t>(4 + k)];
+      const std::string_view word = number_word(4, k);
       const double before = std::clamp(reader.number(word) * scale, 0.0, 255.0);
-      if (static_cast<int>(before + 0.5) != now[k]) text_.replace_number(word, std::nan(""), now[k] / scale);
+      if (std::lround(before) != now[k]) text_.replace_number(word, std::nan(""), now[k] / scale);
     }
   }
 
   void put_normal(std::size_t index) {
     const std::optional<Point3d> normal = normals_->normal(index);
     if (!normal) return;
-    for (int k = 0; k < 3; ++k)
-      text_.replace_number(words_[static_cast<std::size_t>(1 + k)], old_normals_[index][k], (*normal)[k]);
+    for (int k = 0; k < 3; ++k) text_.replace_number(number_word(1, k), old_normals_[index][k], (*normal)[k]);
   }
 
   /// All that is behind the word: a name may hold spaces.

@@ -86,6 +86,7 @@ class PlySplicer {
     const Element* const vertex = layout_.find("vertex");
     const Element* const face = layout_.find("face");
     check_same_count(input_.path, "vertices", mesh_.vert.size(), vertex ? vertex->count : 0);
+    if (vertex == nullptr) return bytes_;  // as many as were read: none
     const bool vertex_normals = Roles(*vertex, known_of_vertex).has_normal();
     const bool face_normals = face && face->count > 0 && Roles(*face, known_of_face).has_normal();
     if (vertex_normals || face_normals) find_moved(*vertex);
