@@ -283,6 +283,7 @@ class Textures(unittest.TestCase):
         (current / "textures/wood.png").write_bytes(png(99))
         self.model("textures/wood.png")
         found, _ = self.applied("../project/scans/models/part/model.obj", "../results/deep/er/out.obj", cwd=current)
+        found.pop("current/checkerboard.png", None)  # MeshLab 2025.07 leaves its stand-in for textures there
         self.expect_result(found, **{"textures/wood.png": 1})
 
     def test_all_is_flushed_to_the_disk_before_it_gets_its_name(self):
