@@ -68,8 +68,7 @@ class GuidedRun {
     output.estimated_noise = 0;
     output.notes.push_back(
         "the mesh shows no noise that can be told from its shape, so nothing was moved; if it is noisy all the same, "
-        "use "
-        "the paper's filter or Taubin's");
+        "use the paper's filter or Taubin's");
     return output;
   }
 
