@@ -18,6 +18,7 @@
 #include <support/noisy_shapes.h>
 #include <support/result_census.h>
 #include <support/smoothed_by.h>
+#include <vcg_core/detail/power_of_two.h>
 #include <vcg_core/detail/read_mesh.h>
 #include <vcg_core/smoothing.h>
 
@@ -176,6 +177,35 @@ TEST(ResultCheck, CountsWhatIsStored) {
       expect_counts_of_what_is_stored<DoubleMesh>(info.method, offset);
       expect_counts_of_what_is_stored<FloatMesh>(info.method, offset);
     }
+  }
+}
+
+// A float has fewer digits below 2^-126: of the caller's numbers, not of those that the mesh is scaled to.
+TEST(ResultCheck, RoundsAtTheScaleOfTheCaller) {
+  for (const int exponent : {-148, -130, 0, 100, 126}) {
+    FlatMesh mesh = square();
+    for (Point& p : mesh.points) p *= std::ldexp(1.0, exponent);
+    mesh.points[3][2] = 0x1p-140;
+    FloatMesh host;
+    fill(host, mesh);
+    const vcg_core::Progress no_progress;
+    Job job(no_progress, 1);
+    const MeshArrays arrays = read_mesh(host, job);
+    Array<Vec3> position = arrays.position;
+    round_as_stored(arrays, position, job);
+    EXPECT_EQ(position, arrays.position) << exponent << ": what is stored already stays";
+    const PowerOfTwo to_arrays(arrays.exponent);
+    const PowerOfTwo to_host(-arrays.exponent);
+    for (Vec3& p : position) p *= 1.1;
+    const Array<Vec3> wanted = position;
+    round_as_stored(arrays, position, job);
+    for (std::size_t v = 0; v < position.size(); ++v)
+      for (int k = 0; k < 3; ++k)
+        EXPECT_EQ(position[v][k], to_arrays * static_cast<double>(static_cast<float>(to_host * wanted[v][k])))
+            << exponent;
+    position[0][0] = to_arrays * 1e39;
+    round_as_stored(arrays, position, job);
+    EXPECT_EQ(position[0], arrays.position[0]) << "no float is as large: the vertex stays";
   }
 }
 

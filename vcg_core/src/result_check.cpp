@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <vcg_core/detail/job.h>
+#include <vcg_core/detail/power_of_two.h>
 
 #include "face_area.h"
 
@@ -103,14 +104,19 @@ const char* advice_of(Method method) {
 
 void round_as_stored(const MeshArrays& mesh, Array<Vec3>& position, Job& job) {
   if (mesh.coordinate_epsilon != static_cast<double>(std::numeric_limits<float>::epsilon())) return;
+  const PowerOfTwo to_host(-mesh.exponent);
+  const PowerOfTwo from_host(mesh.exponent);
   job.parallel(position.size(), grain, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
-      for (std::size_t v = chunks.begin(); v < chunks.end(); ++v)
+      for (std::size_t v = chunks.begin(); v < chunks.end(); ++v) {
         for (double& x : position[v]) {
-          // Volatile: GCC 12.2 leaves out the rounding at the end of the loop that it makes of this.
-          const volatile auto stored = static_cast<float>(x);
-          x = static_cast<double>(stored);
+          // At the caller's scale, where small numbers may have fewer digits. Volatile: GCC 12.2 leaves out the
+          // rounding at the end of the loop that it makes of this.
+          const volatile auto stored = static_cast<float>(to_host * x);
+          x = from_host * static_cast<double>(stored);
         }
+        if (!position[v].allFinite()) position[v] = mesh.position[v];  // as commit_positions() does
+      }
   });
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include <vcg_core/detail/mesh_arrays.h>
-#include <vcg_core/detail/read_mesh.h>
+#include <vcg_core/detail/power_of_two.h>
 #include <vcg_core/smoothing_report.h>
 
 namespace vcg_core::detail {

@@ -11,25 +11,13 @@
 
 #include <vcg_core/detail/job.h>
 #include <vcg_core/detail/mesh_arrays.h>
+#include <vcg_core/detail/power_of_two.h>
 #include <vcg_core/errors.h>
 
 // Four headers know the caller's vcglib mesh: this one, commit_positions.h, vertex_attributes.h and distance_colors.h.
 // All the rest works on plain arrays.
 
 namespace vcg_core::detail {
-
-/// Multiplies by 2^exponent. In two steps, as the power itself may not be a finite number.
-class PowerOfTwo {
- public:
-  explicit PowerOfTwo(int exponent)
-      : half_(std::ldexp(1.0, exponent / 2)), rest_(std::ldexp(1.0, exponent - exponent / 2)) {}
-  double operator*(double x) const { return x * half_ * rest_; }
-  Vec3 operator*(const Vec3& x) const { return Vec3(*this * x[0], *this * x[1], *this * x[2]); }
-
- private:
-  double half_;
-  double rest_;
-};
 
 constexpr Index deleted_vertex = std::numeric_limits<Index>::max();
 
