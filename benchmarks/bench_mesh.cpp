@@ -12,10 +12,10 @@
 #include <mesh_tools/shapes.h>
 #include <vcg_core/detail/read_mesh.h>
 
-#include "lanes/lane_kernels.h"
-#include "lanes/lane_parameters.h"
-#include "lanes/patch_builder.h"
-#include "lanes/source_groups.h"
+#include "filters/paper/lanes/lane_kernels.h"
+#include "filters/paper/lanes/lane_parameters.h"
+#include "filters/paper/lanes/patch_builder.h"
+#include "filters/paper/lanes/source_groups.h"
 #include "vertex_normals.h"
 
 namespace bench {

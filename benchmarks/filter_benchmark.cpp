@@ -6,9 +6,9 @@
 #include <benchmark/benchmark.h>
 
 #include "bench_mesh.h"
-#include "lanes/lane_filter.h"
-#include "lanes/lane_kernels.h"
-#include "paper_filter.h"
+#include "filters/paper/lanes/lane_filter.h"
+#include "filters/paper/lanes/lane_kernels.h"
+#include "filters/paper/paper_filter.h"
 
 namespace {
 

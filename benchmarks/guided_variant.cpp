@@ -15,8 +15,8 @@
 #include <vcg_core/detail/read_mesh.h>
 #include <vcg_core/method.h>
 
-#include "guided/guided_filter.h"
-#include "guided/guided_settings.h"
+#include "filters/guided/guided_filter.h"
+#include "filters/guided/guided_settings.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <vcg_core/detail/read_mesh.h>
 
 #include "bench_mesh.h"
-#include "lanes/lane_filter.h"
+#include "filters/paper/lanes/lane_filter.h"
 #include "vertex_normals.h"
 
 namespace {

@@ -10,8 +10,8 @@
 #include <support/hand_made.h>
 #include <vcg_core/detail/job.h>
 
-#include "guided/displacement_limit.h"
-#include "guided/face_geometry.h"
+#include "filters/guided/displacement_limit.h"
+#include "filters/guided/face_geometry.h"
 
 namespace {
 

@@ -11,10 +11,10 @@
 #include <support/arrays_of.h>
 #include <support/noisy_shapes.h>
 
-#include "guided/face_geometry.h"
-#include "guided/face_neighborhoods.h"
-#include "guided/guide_normals.h"
-#include "guided/guided_settings.h"
+#include "filters/guided/face_geometry.h"
+#include "filters/guided/face_neighborhoods.h"
+#include "filters/guided/guide_normals.h"
+#include "filters/guided/guided_settings.h"
 
 namespace {
 

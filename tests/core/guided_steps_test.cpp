@@ -11,13 +11,13 @@
 #include <vcg_core/detail/job.h>
 #include <vcg_core/detail/mesh_arrays.h>
 
-#include "guided/attribute_smoothing.h"
-#include "guided/detail_recovery.h"
-#include "guided/face_neighborhoods.h"
-#include "guided/guide_normals.h"
-#include "guided/normal_filter.h"
-#include "guided/range_weight.h"
-#include "guided/vertex_update.h"
+#include "filters/guided/attribute_smoothing.h"
+#include "filters/guided/detail_recovery.h"
+#include "filters/guided/face_neighborhoods.h"
+#include "filters/guided/guide_normals.h"
+#include "filters/guided/normal_filter.h"
+#include "filters/guided/range_weight.h"
+#include "filters/guided/vertex_update.h"
 #include "vertex_normals.h"
 
 namespace {

@@ -1,6 +1,6 @@
 // The vector kernels, each that this processor runs, against the scalar march and the scalar filter.
 
-#include <lanes/lane_kernels.h>
+#include <filters/paper/lanes/lane_kernels.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +10,11 @@
 
 #include <gtest/gtest.h>
 
+#include <filters/paper/lanes/lane_filter.h>
+#include <filters/paper/lanes/lane_parameters.h>
+#include <filters/paper/lanes/patch_builder.h>
+#include <filters/paper/paper_filter.h>
 #include <geodesic_march.h>
-#include <lanes/lane_filter.h>
-#include <lanes/lane_parameters.h>
-#include <lanes/patch_builder.h>
-#include <paper_filter.h>
 #include <triangle_frames.h>
 #include <vcg_core/detail/read_mesh.h>
 #include <vertex_normals.h>

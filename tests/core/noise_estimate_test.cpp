@@ -14,7 +14,7 @@
 #include <support/mesh_types.h>
 #include <vcg_core/detail/job.h>
 
-#include "guided/noise_estimate.h"
+#include "filters/guided/noise_estimate.h"
 
 namespace {
 

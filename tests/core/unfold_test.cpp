@@ -10,8 +10,8 @@
 #include <support/arrays_of.h>
 #include <support/noisy_shapes.h>
 
-#include "guided/guided_settings.h"
-#include "guided/vertex_update.h"
+#include "filters/guided/guided_settings.h"
+#include "filters/guided/vertex_update.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // The three weights and their product.
 
-#include <weights.h>
+#include <filters/weights.h>
 
 #include <cfloat>
 #include <cmath>

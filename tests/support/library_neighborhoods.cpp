@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include <filters/paper/paper_filter.h>
 #include <geodesic_march.h>
-#include <paper_filter.h>
 #include <triangle_frames.h>
 #include <vcg_core/detail/read_mesh.h>
 

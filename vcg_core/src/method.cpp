@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "filter_table.h"
+#include "filters/catalogue.h"
 
 namespace vcg_core {
 

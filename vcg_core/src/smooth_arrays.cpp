@@ -8,8 +8,8 @@
 #include <vcg_core/detail/job.h>
 
 #include "copy_positions.h"
-#include "filter_table.h"
-#include "guided/attribute_smoothing.h"
+#include "filters/catalogue.h"
+#include "filters/guided/attribute_smoothing.h"
 #include "result_check.h"
 #include "vertex_normals.h"
 #include "volume.h"

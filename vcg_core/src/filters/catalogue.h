@@ -4,7 +4,7 @@
 
 #include <vcg_core/method.h>
 
-#include "filter.h"
+#include "filters/filter.h"
 
 namespace vcg_core::detail {
 

@@ -1,17 +1,17 @@
-#include "filter_table.h"
+#include "catalogue.h"
 
 #include <algorithm>
 #include <memory>
 
-#include "bmd_filter.h"
-#include "guided/guided_filter.h"
-#include "hc_filter.h"
-#include "hc_vcglib_filter.h"
-#include "jones_filter.h"
-#include "lanes/lane_filter.h"
-#include "laplacian_filter.h"
-#include "paper_filter.h"
-#include "taubin_filter.h"
+#include "filters/bmd/bmd_filter.h"
+#include "filters/guided/guided_filter.h"
+#include "filters/hc/hc_filter.h"
+#include "filters/hc_vcglib/hc_vcglib_filter.h"
+#include "filters/jones/jones_filter.h"
+#include "filters/laplacian/laplacian_filter.h"
+#include "filters/paper/lanes/lane_filter.h"
+#include "filters/paper/paper_filter.h"
+#include "filters/taubin/taubin_filter.h"
 
 namespace vcg_core::detail {
 

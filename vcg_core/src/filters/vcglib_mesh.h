@@ -9,7 +9,7 @@
 
 #include <vcg_core/detail/job.h>
 
-#include "filter.h"
+#include "filters/filter.h"
 
 namespace vcg_core::detail {
 

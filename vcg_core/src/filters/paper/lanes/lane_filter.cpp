@@ -5,8 +5,8 @@
 
 #include <vcg_core/detail/job.h>
 
-#include "../copy_positions.h"
-#include "../paper_filter.h"
+#include "copy_positions.h"
+#include "filters/paper/paper_filter.h"
 #include "lane_kernels.h"
 #include "lane_parameters.h"
 #include "patch_builder.h"

@@ -2,9 +2,9 @@
 
 #include <vcg_core/detail/job.h>
 
+#include "filters/weights.h"
 #include "geodesic_march.h"
 #include "triangle_frames.h"
-#include "weights.h"
 
 namespace vcg_core::detail {
 

@@ -5,11 +5,11 @@
 #include <limits>
 #include <vector>
 
-#include "../sparse_index_map.h"
 #include "group_order.h"
 #include "patch.h"
 #include "ring.h"
 #include "source_groups.h"
+#include "sparse_index_map.h"
 
 namespace vcg_core::detail {
 

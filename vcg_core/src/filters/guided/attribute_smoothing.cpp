@@ -4,8 +4,8 @@
 
 #include <vcg_core/detail/job.h>
 
-#include "../vertex_normals.h"
 #include "range_weight.h"
+#include "vertex_normals.h"
 
 namespace vcg_core::detail {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../paper_filter.h"
+#include "filters/paper/paper_filter.h"
 
 namespace vcg_core::detail {
 

@@ -7,9 +7,9 @@
 
 #include <vcg_core/detail/job.h>
 
-#include "../sparse_index_map.h"
 #include "median.h"
 #include "range_weight.h"
+#include "sparse_index_map.h"
 
 namespace vcg_core::detail {
 

@@ -1,6 +1,6 @@
 #include "taubin_filter.h"
 
-#include "vcglib_mesh.h"
+#include "filters/vcglib_mesh.h"
 
 namespace vcg_core::detail {
 

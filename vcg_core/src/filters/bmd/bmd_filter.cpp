@@ -2,8 +2,8 @@
 
 #include <vcg_core/detail/job.h>
 
+#include "filters/weights.h"
 #include "point_grid.h"
-#include "weights.h"
 
 namespace vcg_core::detail {
 

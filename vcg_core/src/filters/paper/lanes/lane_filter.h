@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "../filter.h"
+#include "filters/filter.h"
 #include "patch.h"
 #include "ring.h"
 #include "source_groups.h"

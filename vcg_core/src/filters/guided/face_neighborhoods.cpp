@@ -5,7 +5,7 @@
 
 #include <vcg_core/detail/job.h>
 
-#include "../sparse_index_map.h"
+#include "sparse_index_map.h"
 
 namespace vcg_core::detail {
 
