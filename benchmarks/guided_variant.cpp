@@ -71,7 +71,7 @@ void run(int argc, char** argv) {
   using namespace vcg_core::detail;
   mesh_tools::MeshFile file = mesh_tools::read_mesh(argv[1]);
   const vcg_core::SmoothingParameters parameters = vcg_core::method_info(vcg_core::Method::guided).defaults;
-  GuidedSettings settings = guided_settings(parameters);
+  GuidedSettings settings = guided_settings(parameters, parameters.iterations);
   for (int k = 3; k < argc; ++k) change(settings, argv[k]);
   const vcg_core::Progress silent;
   Job job(silent, 1);
@@ -81,7 +81,7 @@ void run(int argc, char** argv) {
   for (std::size_t v = 0; v < mesh.size(); ++v)
     movable[v] = mesh.topology.star_begin[v] < mesh.topology.star_begin[v + 1];
   const Array<Vec3> no_normals;
-  const PassOutput output = guided_pass({mesh, mesh.position, no_normals, movable, parameters, job}, settings);
+  const PassOutput output = guided_pass({mesh, mesh.position, no_normals, movable, job}, settings);
   vcg_core::SmoothingReport report;
   commit_positions(mesh, output.position, file.mesh, report);
   mesh_tools::write_mesh(file, argv[2]);

@@ -21,9 +21,8 @@ using namespace vcg_core::detail;
 void smooth_pairs(benchmark::State& state, const bench::Arrays& arrays, const SmoothingParameters& parameters) {
   Job job = bench::single_thread();
   for (auto _ : state) {
-    LanePass pass;
-    benchmark::DoNotOptimize(
-        pass.run({arrays.mesh, arrays.mesh.position, arrays.normal, arrays.movable, parameters, job}));
+    LanePass pass(parameters);
+    benchmark::DoNotOptimize(pass.run({arrays.mesh, arrays.mesh.position, arrays.normal, arrays.movable, job}));
   }
   state.counters["pairs"] = static_cast<double>(bench::count_pairs(arrays, parameters.rho * parameters.sigma_c));
 }

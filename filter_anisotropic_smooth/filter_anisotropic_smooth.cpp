@@ -32,22 +32,22 @@ class RunningMark {
 
 }  // namespace
 
-FilterAnisotropicSmooth::FilterAnisotropicSmooth() : filters_(meshlab_plugin::make_filters()) {
+FilterAnisotropicSmooth::FilterAnisotropicSmooth() : filters_(meshlab_plugin::all_filters()) {
   for (std::size_t id = 0; id < filters_.size(); ++id) {
     typeList.push_back(static_cast<FilterId>(id));
-    actionList.push_back(new QAction(filters_[id]->name(), this));
+    actionList.push_back(new QAction(filters_[id].name, this));
   }
 }
 
-QString FilterAnisotropicSmooth::filterName(FilterId id) const { return filters_.at(id)->name(); }
+QString FilterAnisotropicSmooth::filterName(FilterId id) const { return filters_.at(id).name; }
 
-QString FilterAnisotropicSmooth::filterInfo(FilterId id) const { return filters_.at(id)->help(); }
+QString FilterAnisotropicSmooth::filterInfo(FilterId id) const { return filters_.at(id).help; }
 
-QString FilterAnisotropicSmooth::pythonFilterName(FilterId id) const { return filters_.at(id)->python_name(); }
+QString FilterAnisotropicSmooth::pythonFilterName(FilterId id) const { return filters_.at(id).python_name; }
 
 FilterAnisotropicSmooth::FilterClass FilterAnisotropicSmooth::getClass(meshlab_plugin::ActionPointer action)
     ANISO_CONST {
-  return static_cast<FilterClass>(filter(action).categories());
+  return static_cast<FilterClass>(filter(action).categories);
 }
 
 int FilterAnisotropicSmooth::getPreConditions(meshlab_plugin::ActionPointer /*action*/) const {
@@ -55,7 +55,7 @@ int FilterAnisotropicSmooth::getPreConditions(meshlab_plugin::ActionPointer /*ac
 }
 
 int FilterAnisotropicSmooth::postCondition(meshlab_plugin::ActionPointer action) const {
-  return filter(action).changes();
+  return filter(action).changes;
 }
 
 RichParameterList FilterAnisotropicSmooth::parameters_for(const QAction* action, const MeshModel* mesh) const {
@@ -93,8 +93,8 @@ QString FilterAnisotropicSmooth::error_text(const std::exception& error) const {
 /// By the action's text, as MeshLab does: the GUI may have put a shortcut's & into it.
 const Filter& FilterAnisotropicSmooth::filter(const QAction* action) const {
   const QString text = action->text().remove('&');
-  for (const auto& candidate : filters_) {
-    if (candidate->name() == text) return *candidate;
+  for (const Filter& candidate : filters_) {
+    if (candidate.name == text) return candidate;
   }
   throw vcg_core::Error("this plugin has no filter of the name \"" + text.toStdString() + "\"");
 }

@@ -3,7 +3,6 @@
 #include "filter.h"
 #include "meshlab_compatibility.h"
 
-#include <memory>
 #include <vector>
 
 /// What MeshLab loads: hands out the filters of filters.cpp and runs them.
@@ -32,6 +31,6 @@ class FilterAnisotropicSmooth : public meshlab_plugin::HostAdapter {
  private:
   const meshlab_plugin::Filter& filter(const QAction* action) const;
 
-  std::vector<std::unique_ptr<meshlab_plugin::Filter>> filters_;
+  std::vector<meshlab_plugin::Filter> filters_;
   bool running_ = false;
 };

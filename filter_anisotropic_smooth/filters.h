@@ -2,12 +2,11 @@
 
 #include "filter.h"
 
-#include <memory>
 #include <vector>
 
 namespace meshlab_plugin {
 
-/// All filters of this plugin, in the order of their ids. A new filter is a file of its own and a line there.
-std::vector<std::unique_ptr<Filter>> make_filters();
+/// All filters of this plugin, in the order of their ids. A new one is an entry at the end.
+std::vector<Filter> all_filters();
 
 }  // namespace meshlab_plugin

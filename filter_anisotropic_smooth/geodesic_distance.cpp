@@ -39,29 +39,7 @@ void write(const std::vector<double>& distance, const std::vector<vcg_core::Rgb>
   }
 }
 
-}  // namespace
-
-QString GeodesicDistance::name() const { return QStringLiteral("Geodesic Distance by Virtual Source"); }
-
-QString GeodesicDistance::python_name() const { return QStringLiteral("compute_scalar_by_virtual_source_geodesic"); }
-
-QString GeodesicDistance::help() const {
-  return QStringLiteral(
-      "Computes how far each vertex is from a start vertex, measured along the surface, and stores it as vertex"
-      " quality. Use it to measure along a scan, to see whether parts are connected, or to check the distances that"
-      " <i>Anisotropic Feature-Preserving Smoothing</i> works with. Vertices are coloured from red (near) to blue"
-      " (far), with dark lines of equal distance.<br>"
-      "Vertices that no path of faces reaches get quality -1 and turn grey; the log counts them.<br>"
-      "Distances are found by fast marching with a virtual start point in double precision: exact on a plane up to"
-      " rounding, and a good approximation on curved surfaces.<br>"
-      "See: <b>\"Anisotropic Feature-Preserving Smoothing of 3D Mesh\"</b>, section 4.1, figures 5 and 6.");
-}
-
-int GeodesicDistance::categories() const { return HostInterface::Quality | HostInterface::VertexColoring; }
-
-int GeodesicDistance::changes() const { return MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR; }
-
-RichParameterList GeodesicDistance::parameters(const MeshModel* mesh) const {
+RichParameterList parameters(const MeshModel* mesh) {
   const std::size_t size = mesh != nullptr ? mesh->cm.vert.size() : 0;
   RichParameterList list;
   list.addParam(RichInt(start_vertex_name, 0, "Start vertex",
@@ -74,7 +52,7 @@ RichParameterList GeodesicDistance::parameters(const MeshModel* mesh) const {
   return list;
 }
 
-Report GeodesicDistance::apply(MeshModel& mesh, const RichParameterList& values, const Session& session) const {
+Report apply(MeshModel& mesh, const RichParameterList& values, const Session& session) {
   const int isolines = values.getInt(isolines_name);
   if (isolines < 0) {
     throw vcg_core::InvalidParameter(std::string(isolines_name) + " is " + std::to_string(isolines) +
@@ -109,6 +87,27 @@ Report GeodesicDistance::apply(MeshModel& mesh, const RichParameterList& values,
   }
   write(distance, colors, mesh);  // last: nothing can fail once the mesh has changed
   return report;
+}
+
+}  // namespace
+
+Filter geodesic_distance_filter() {
+  constexpr int changes = MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR;
+  return {"Geodesic Distance by Virtual Source",
+          "compute_scalar_by_virtual_source_geodesic",
+          "Computes how far each vertex is from a start vertex, measured along the surface, and stores it as vertex"
+          " quality. Use it to measure along a scan, to see whether parts are connected, or to check the distances"
+          " that <i>Anisotropic Feature-Preserving Smoothing</i> works with. Vertices are coloured from red (near) to"
+          " blue (far), with dark lines of equal distance.<br>"
+          "Vertices that no path of faces reaches get quality -1 and turn grey; the log counts them.<br>"
+          "Distances are found by fast marching with a virtual start point in double precision: exact on a plane up"
+          " to rounding, and a good approximation on curved surfaces.<br>"
+          "See: <b>\"Anisotropic Feature-Preserving Smoothing of 3D Mesh\"</b>, section 4.1, figures 5 and 6.",
+          HostInterface::Quality | HostInterface::VertexColoring,
+          changes,
+          [](const RichParameterList&) { return changes; },
+          parameters,
+          apply};
 }
 
 }  // namespace meshlab_plugin

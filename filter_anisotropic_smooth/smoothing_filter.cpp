@@ -1,5 +1,9 @@
 #include "smoothing_filter.h"
 
+#include "dialog_parameters.h"
+
+#include <vcg_core/smoothing.h>
+
 #include <cmath>
 #include <new>
 #include <sstream>
@@ -8,6 +12,8 @@ namespace meshlab_plugin {
 
 namespace {
 
+using vcg_core::MethodInfo;
+using vcg_core::SmoothingParameters;
 using vcg_core::SmoothingReport;
 
 void log_report(const SmoothingReport& report, const Session& session) {
@@ -74,11 +80,9 @@ void clear_undefined_normals(Elements& elements) {
   }
 }
 
-}  // namespace
-
-Report SmoothingFilter::apply(MeshModel& mesh, const RichParameterList& values, const Session& session) const {
-  const vcg_core::SmoothingParameters parameters = read_values(knobs_, values, vcg_core::method_info(method_).defaults);
-  const SmoothingReport report = vcg_core::smooth(mesh.cm, method_, parameters, session.progress);
+Report apply(const MethodInfo& method, MeshModel& mesh, const RichParameterList& values, const Session& session) {
+  const SmoothingReport report =
+      vcg_core::smooth(mesh.cm, method.method, read_values(method, values), session.progress);
   update_box_and_normals(mesh, 0);
   clear_undefined_normals(mesh.cm.vert);
   clear_undefined_normals(mesh.cm.face);
@@ -89,6 +93,26 @@ Report SmoothingFilter::apply(MeshModel& mesh, const RichParameterList& values, 
   } catch (const std::bad_alloc&) {
     return {};
   }
+}
+
+}  // namespace
+
+Filter smoothing_filter(vcg_core::Method method, const char* name, const char* python_name, const char* help) {
+  constexpr int geometry = MeshModel::MM_VERTCOORD | MeshModel::MM_VERTNORMAL | MeshModel::MM_FACENORMAL;
+  constexpr int attributes = MeshModel::MM_VERTCOLOR | MeshModel::MM_VERTQUALITY;
+  const MethodInfo& info = vcg_core::method_info(method);
+  return {name,
+          python_name,
+          help,
+          HostInterface::Smoothing,
+          geometry | (info.uses(&SmoothingParameters::smooth_color) ? attributes : 0),
+          [&info](const RichParameterList& values) {
+            return geometry | (read_values(info, values).smooth_color ? attributes : 0);
+          },
+          [&info](const MeshModel* mesh) { return to_list(info, mesh); },
+          [&info](MeshModel& mesh, const RichParameterList& values, const Session& session) {
+            return apply(info, mesh, values, session);
+          }};
 }
 
 }  // namespace meshlab_plugin

@@ -140,7 +140,9 @@ class EveryMethod : public testing::TestWithParam<FamilyAndMethod> {
     const vcg_core::MethodInfo& method = std::get<1>(GetParam());
     for (const Boundary boundary : {Boundary::fixed, Boundary::free})
       for (const int iterations : {1, std::max(2, method.defaults.iterations)}) {
-        if (bad.large_support && (iterations > 1 || boundary == Boundary::free) && method.uses("rho")) continue;
+        if (bad.large_support && (iterations > 1 || boundary == Boundary::free) &&
+            method.uses(&SmoothingParameters::rho))
+          continue;
         SCOPED_TRACE(std::string(boundary == Boundary::fixed ? "fixed" : "free") + " border, " +
                      std::to_string(iterations) + " passes");
         SmoothingParameters parameters = method.defaults;

@@ -53,13 +53,14 @@ struct Draw {
 Draw draw_method() {
   const vcg_core::MethodInfo& info = *rc::gen::elementOf(vcg_core::methods());
   Draw drawn{info.method, info.defaults, 1e-6, 0};
-  drawn.parameters.iterations = info.fewest_iterations == 0 ? draw(0, 3) : draw(1, 4);
+  const double fewest = info.find(&vcg_core::SmoothingParameters::iterations)->values.least;
+  drawn.parameters.iterations = fewest == 0 ? draw(0, 3) : draw(1, 4);
   drawn.parameters.boundary = *rc::gen::element(vcg_core::Boundary::fixed, vcg_core::Boundary::free);
   if (info.method == Method::paper) {
     drawn.parameters.arithmetic = *rc::gen::element(vcg_core::Arithmetic::fast, vcg_core::Arithmetic::reference);
     drawn.tolerance = 1e-5;
   }
-  if (info.uses("rho")) {
+  if (info.uses(&vcg_core::SmoothingParameters::rho)) {
     drawn.parameters.sigma_c = draw_real(0.7, 2.5);
     drawn.share = 0.02;  // a distance next to the cut-off
   }

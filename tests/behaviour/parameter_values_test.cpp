@@ -1,5 +1,6 @@
 // Every parameter of every method at values that make no sense, and at the ends of what is allowed.
 
+#include <algorithm>
 #include <cfloat>
 #include <climits>
 #include <cmath>
@@ -24,18 +25,35 @@ using namespace test_support;
 using vcg_core::Arithmetic;
 using vcg_core::Method;
 using vcg_core::MethodInfo;
+using vcg_core::ParameterInfo;
 using vcg_core::SmoothingParameters;
 
-struct RealParameter {
-  const char* name;
-  double SmoothingParameters::*value;
-  double most;  ///< largest allowed value
-};
+std::vector<ParameterInfo> real_parameters(const MethodInfo& method) {
+  std::vector<ParameterInfo> rows;
+  for (const ParameterInfo& row : method.parameters)
+    if (row.kind() == ParameterInfo::Kind::real) rows.push_back(row);
+  return rows;
+}
 
-const RealParameter real_parameters[] = {
-    {"sigma_c", &SmoothingParameters::sigma_c, DBL_MAX}, {"sigma_s", &SmoothingParameters::sigma_s, DBL_MAX},
-    {"sigma_n", &SmoothingParameters::sigma_n, DBL_MAX}, {"rho", &SmoothingParameters::rho, DBL_MAX},
-    {"strength", &SmoothingParameters::strength, 10},    {"feature_angle", &SmoothingParameters::feature_angle, 90}};
+double largest(const ParameterInfo& row) { return std::min(row.values.most, DBL_MAX); }
+
+/// Values that the row forbids.
+std::vector<double> bad_values(const ParameterInfo& row) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  switch (row.kind()) {
+    case ParameterInfo::Kind::real: {
+      std::vector<double> bad{0.0, -0.0, -1.5, -DBL_TRUE_MIN, -DBL_MAX, std::nan(""), infinity, -infinity};
+      if (row.values.most < DBL_MAX) bad.push_back(std::nextafter(row.values.most, infinity));
+      return bad;
+    }
+    case ParameterInfo::Kind::integer:
+      return {row.values.least - 1, -7, INT_MIN};
+    case ParameterInfo::Kind::choice:
+      return {-1, static_cast<double>(row.values.choices.size()), INT_MIN, INT_MAX};
+    default:
+      return {};
+  }
+}
 
 class ParameterValues : public testing::TestWithParam<MethodInfo> {
  protected:
@@ -64,41 +82,46 @@ class ParameterValues : public testing::TestWithParam<MethodInfo> {
   }
 };
 
-TEST_P(ParameterValues, ThatAreNoneAreRefusedByName) {
-  const double infinity = std::numeric_limits<double>::infinity();
-  for (const RealParameter& parameter : real_parameters) {
-    std::vector<double> bad{0.0, -0.0, -1.5, -DBL_TRUE_MIN, -DBL_MAX, std::nan(""), infinity, -infinity};
-    if (parameter.most < DBL_MAX) bad.push_back(std::nextafter(parameter.most, infinity));
-    for (const double value : bad) {
-      SCOPED_TRACE(std::string(parameter.name) + " = " + std::to_string(value));
+TEST_P(ParameterValues, ThatAreNotAllowedAreRefusedByName) {
+  std::vector<ParameterInfo> rows = GetParam().parameters;
+  for (const ParameterInfo& row : vcg_core::run_parameters<SmoothingParameters>()) rows.push_back(row);
+  for (const ParameterInfo& row : rows)
+    for (const double value : bad_values(row)) {
+      SCOPED_TRACE(row.name + " = " + std::to_string(value));
       SmoothingParameters parameters = GetParam().defaults;
-      parameters.*parameter.value = value;
-      expect_refused(parameters, parameter.name);
+      row.set(parameters, value);
+      expect_refused(parameters, row.name);
     }
-  }
-  for (const int iterations : {GetParam().fewest_iterations - 1, -7, INT_MIN}) {
-    SmoothingParameters parameters = GetParam().defaults;
-    parameters.iterations = iterations;
-    expect_refused(parameters, "iterations");
-  }
-  for (const int threads : {-1, INT_MIN}) {
-    SmoothingParameters parameters = GetParam().defaults;
-    parameters.threads = threads;
-    expect_refused(parameters, "threads");
-  }
+}
+
+// Not even values that no method allows.
+TEST_P(ParameterValues, ThatTheMethodDoesNotKnowHaveNoEffect) {
+  const FlatMesh expected = smoothed_by(GetParam().method, potato(1), GetParam().defaults).mesh;
+  for (const MethodInfo& other : vcg_core::methods())
+    for (const ParameterInfo& row : other.parameters) {
+      if (GetParam().uses(row.member)) continue;
+      std::vector<double> values = bad_values(row);
+      if (values.empty()) values.push_back(1);
+      for (const double value : values) {
+        SCOPED_TRACE(row.name + " = " + std::to_string(value));
+        SmoothingParameters parameters = GetParam().defaults;
+        row.set(parameters, value);
+        EXPECT_TRUE(same_bits(smoothed_by(GetParam().method, potato(1), parameters).mesh, expected));
+      }
+    }
 }
 
 // All weights but one's own vanish, or none does: no NaN, and nothing that flies away.
 TEST_P(ParameterValues, AtTheEndsOfWhatIsAllowedGiveFinitePositions) {
   const FlatMesh mesh = potato(1);
   const double e = average_edge_length(mesh);
-  for (const RealParameter& parameter : real_parameters)
+  for (const ParameterInfo& row : real_parameters(GetParam()))
     for (const double value : {DBL_TRUE_MIN, DBL_MIN, 1e-200, 1e200, DBL_MAX})
       for (const Arithmetic arithmetic : {Arithmetic::fast, Arithmetic::reference}) {
         if (arithmetic == Arithmetic::reference && GetParam().method != Method::paper) continue;
-        SCOPED_TRACE(std::string(parameter.name) + " = " + std::to_string(value));
+        SCOPED_TRACE(row.name + " = " + std::to_string(value));
         SmoothingParameters parameters = GetParam().defaults;
-        parameters.*parameter.value = std::min(value, parameter.most);
+        row.set(parameters, std::min(value, largest(row)));
         parameters.iterations = 2;
         parameters.arithmetic = arithmetic;
         const SmoothedBy result = smoothed_by(GetParam().method, mesh, parameters);
@@ -111,10 +134,11 @@ TEST_P(ParameterValues, AtTheEndsOfWhatIsAllowedGiveFinitePositions) {
 
 TEST_P(ParameterValues, OfAllParametersAtOnceAtTheEnds) {
   const FlatMesh mesh = potato(1);
-  for (int which = 0; which < 64; ++which) {
+  const std::vector<ParameterInfo> rows = real_parameters(GetParam());
+  for (int which = 0; which < 1 << rows.size(); ++which) {
     SmoothingParameters parameters = GetParam().defaults;
-    for (int k = 0; k < 6; ++k)
-      parameters.*real_parameters[k].value = (which >> k & 1) != 0 ? real_parameters[k].most : DBL_TRUE_MIN;
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      rows[k].set(parameters, (which >> k & 1) != 0 ? largest(rows[k]) : DBL_TRUE_MIN);
     EXPECT_TRUE(all_finite(smoothed_by(GetParam().method, mesh, parameters).mesh)) << which;
   }
 }
@@ -128,7 +152,7 @@ TEST_P(ParameterValues, OfMoreThreadsThanAnySystemHas) {
 }
 
 TEST_P(ParameterValues, OfMorePassesThanAnyoneWaitsForCanBeCancelled) {
-  if (!GetParam().uses("iterations") || GetParam().method == Method::jones) return;
+  if (GetParam().method == Method::jones) return;
   SmoothingParameters parameters = GetParam().defaults;
   parameters.iterations = INT_MAX;
   expect_cancellable(parameters);

@@ -52,7 +52,7 @@ class Prepared {
     return run_with_figures(kernel, parameters).position;
   }
   PassOutput run_with_figures(const LaneKernel& kernel, const SmoothingParameters& parameters) {
-    return LanePass(kernel).run({arrays_, arrays_.position, normal_, movable_, parameters, job_});
+    return LanePass(parameters, kernel).run({arrays_, arrays_.position, normal_, movable_, job_});
   }
 
   /// Lets only `count` vertices move, evenly drawn from the mesh's order.

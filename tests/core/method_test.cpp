@@ -40,9 +40,9 @@ TEST(MethodTable, HoldsTable1) {
     EXPECT_EQ(defaults(name).sigma_s, 1) << name;
   }
   EXPECT_EQ(defaults("paper").sigma_n, 0.3);
-  EXPECT_TRUE(vcg_core::method_info(Method::paper).uses("sigma_n"));
-  EXPECT_FALSE(vcg_core::method_info(Method::bmd).uses("sigma_n"));
-  EXPECT_FALSE(vcg_core::method_info(Method::taubin).uses("sigma_c"));
+  EXPECT_TRUE(vcg_core::method_info(Method::paper).uses(&SmoothingParameters::sigma_n));
+  EXPECT_FALSE(vcg_core::method_info(Method::bmd).uses(&SmoothingParameters::sigma_n));
+  EXPECT_FALSE(vcg_core::method_info(Method::taubin).uses(&SmoothingParameters::sigma_c));
 }
 
 class EveryMethod : public testing::TestWithParam<MethodInfo> {

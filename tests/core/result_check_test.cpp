@@ -43,7 +43,7 @@ SmoothingReport report_of_move(const FlatMesh& before, const std::function<Point
     position[v] = PowerOfTwo(arrays.exponent) * Vec3(to[0], to[1], to[2]);
   }
   SmoothingReport report;
-  check_result(arrays, position, Method::paper, report, job);
+  check_result(arrays, position, report, job);
   return report;
 }
 

@@ -71,7 +71,7 @@ TEST(SmoothingParameters, HaveTheDefaultsOfTheContract) {
   EXPECT_FALSE(defaults.selected_only);
   EXPECT_EQ(defaults.gaussian, vcg_core::GaussianForm::standard_deviation);
   EXPECT_EQ(defaults.threads, 0);
-  EXPECT_NO_THROW(defaults.validate());
+  EXPECT_NO_THROW(defaults.validate(vcg_core::Method::paper));
 }
 
 TEST(SmoothingParameters, IterationsBelowOneAreRefused) {
@@ -79,7 +79,7 @@ TEST(SmoothingParameters, IterationsBelowOneAreRefused) {
     SmoothingParameters parameters;
     parameters.iterations = bad;
     try {
-      parameters.validate();
+      parameters.validate(vcg_core::Method::paper);
       ADD_FAILURE() << "no error for " << bad;
     } catch (const InvalidParameter& error) {
       const std::string message = error.what();
@@ -92,7 +92,7 @@ TEST(SmoothingParameters, IterationsBelowOneAreRefused) {
 TEST(SmoothingParameters, NegativeThreadsAreRefused) {
   SmoothingParameters parameters;
   parameters.threads = -1;
-  EXPECT_THROW(parameters.validate(), InvalidParameter);
+  EXPECT_THROW(parameters.validate(vcg_core::Method::paper), InvalidParameter);
 }
 
 // The parameters come first: a bad one is named even when the mesh is bad as well, and the progress is not started.

@@ -38,22 +38,23 @@ ordered_json to_json(const vcg_core::SmoothingReport& report) {
   return json;
 }
 
+ordered_json to_json(const vcg_core::ParameterInfo& row, const vcg_core::SmoothingParameters& parameters) {
+  const double value = row.value(parameters);
+  switch (row.kind()) {
+    case vcg_core::ParameterInfo::Kind::integer:
+      return static_cast<int>(value);
+    case vcg_core::ParameterInfo::Kind::flag:
+      return value != 0;
+    case vcg_core::ParameterInfo::Kind::choice:
+      return row.text(parameters);
+    default:
+      return value;
+  }
+}
+
 ordered_json to_json(const vcg_core::MethodInfo& method, const vcg_core::SmoothingParameters& parameters) {
   ordered_json json = ordered_json::object();
-  const auto add = [&](const char* name, const auto& value) {
-    if (method.uses(name)) json[name] = value;
-  };
-  add("sigma_c", parameters.sigma_c);
-  add("sigma_s", parameters.sigma_s);
-  add("sigma_n", parameters.sigma_n);
-  add("rho", parameters.rho);
-  add("iterations", parameters.iterations);
-  add("gaussian", parameters.gaussian == vcg_core::GaussianForm::printed ? "printed" : "standard_deviation");
-  add("strength", parameters.strength);
-  add("feature_angle", parameters.feature_angle);
-  add("smooth_color", parameters.smooth_color);
-  json["boundary"] = parameters.boundary == vcg_core::Boundary::free ? "free" : "fixed";
-  json["selected"] = parameters.selected_only;
+  for (const vcg_core::ParameterInfo& row : method.parameters) json[row.name] = to_json(row, parameters);
   return json;
 }
 

@@ -14,6 +14,9 @@ namespace anisosmooth {
 nlohmann::ordered_json to_json(const vcg_core::SmoothingReport& report);
 nlohmann::ordered_json to_json(const mesh_tools::Measurement& figures);
 
+/// The value of one parameter: a number, true or false, or the name of a choice.
+nlohmann::ordered_json to_json(const vcg_core::ParameterInfo& row, const vcg_core::SmoothingParameters& parameters);
+
 /// The parameters that a method obeys, by name.
 nlohmann::ordered_json to_json(const vcg_core::MethodInfo& method, const vcg_core::SmoothingParameters& parameters);
 

@@ -6,34 +6,27 @@
 
 #include <durable_files/replace_file.h>
 #include <mesh_tools/mesh_io.h>
-#include <vcg_core/smoothing_parameters.h>
+#include <vcg_core/method.h>
 
 #include "command.h"
 #include "interrupt.h"
 #include "json_figures.h"
 #include "mesh_output.h"
+#include "parameter_options.h"
 #include "progress_bar.h"
 #include "smooth_file.h"
 
 namespace anisosmooth {
 namespace {
 
-using vcg_core::Boundary;
-using vcg_core::GaussianForm;
 using vcg_core::MethodInfo;
 using vcg_core::SmoothingParameters;
 using vcg_core::SmoothingReport;
 
 struct Options {
   std::string input, output, report;
-  std::string method = "paper", gaussian = "standard_deviation";
-  std::optional<std::string> boundary;
-  std::optional<double> sigma_c, sigma_s, sigma_n, rho, strength, feature_angle;
-  std::optional<int> iterations;
-  std::optional<bool> smooth_color;
-  std::optional<bool> selected;  // empty: if the file has a selection
-  int threads = 0;
-  bool check = false;
+  std::string method = "paper";
+  ParameterOptions parameters;
   bool quiet = false;
 };
 
@@ -47,44 +40,6 @@ const MethodInfo& chosen_method(const Options& options) {
   const auto method = vcg_core::method_from_name(options.method);
   if (!method) throw BadValue("method is '" + options.method + "'; allowed are " + method_names());
   return vcg_core::method_info(*method);
-}
-
-template <class Value>
-Value chosen(const char* name, const std::string& text, const std::pair<const char*, Value> (&allowed)[2]) {
-  for (const auto& [word, value] : allowed)
-    if (text == word) return value;
-  throw BadValue(std::string(name) + " is '" + text + "'; allowed are " + allowed[0].first + " and " +
-                 allowed[1].first);
-}
-
-/// The method's own defaults, replaced by what the user gave; values without effect are named on stderr.
-SmoothingParameters parameters_of(const Options& options, const MethodInfo& method) {
-  SmoothingParameters parameters = method.defaults;
-  std::vector<std::string> warnings;
-  const auto take = [&](const char* name, const auto& given, auto& value) {
-    if (!given) return;
-    value = *given;
-    if (!method.uses(name)) warnings.push_back(std::string(name) + " has no effect with method " + method.name);
-  };
-  take("sigma_c", options.sigma_c, parameters.sigma_c);
-  take("sigma_s", options.sigma_s, parameters.sigma_s);
-  take("sigma_n", options.sigma_n, parameters.sigma_n);
-  take("rho", options.rho, parameters.rho);
-  take("iterations", options.iterations, parameters.iterations);
-  take("strength", options.strength, parameters.strength);
-  take("feature_angle", options.feature_angle, parameters.feature_angle);
-  take("smooth_color", options.smooth_color, parameters.smooth_color);
-  if (options.boundary)
-    parameters.boundary =
-        chosen<Boundary>("boundary", *options.boundary, {{"fixed", Boundary::fixed}, {"free", Boundary::free}});
-  parameters.gaussian = chosen<GaussianForm>(
-      "gaussian", options.gaussian,
-      {{"standard_deviation", GaussianForm::standard_deviation}, {"printed", GaussianForm::printed}});
-  parameters.check = options.check;
-  parameters.threads = options.threads;
-  parameters.validate(method.fewest_iterations);
-  print_warnings(warnings);
-  return parameters;
 }
 
 bool has_selection(const mesh_tools::Mesh& mesh) {
@@ -129,14 +84,18 @@ void check_report_path(const Options& options) {
 
 void run(const Options& options) {
   const MethodInfo& method = chosen_method(options);
-  SmoothingParameters parameters = parameters_of(options, method);
+  SmoothingParameters parameters = options.parameters.applied_to(method);
+  print_warnings(options.parameters.without_effect(method));
   mesh_tools::check_writable(options.output);
   check_report_path(options);
   mesh_tools::OriginalFile original;
   mesh_tools::MeshFile file = read_input(options.input, &original);
-  parameters.selected_only = options.selected.value_or(has_selection(file.mesh));
-  if (parameters.selected_only && !options.selected && !options.quiet)
-    std::cerr << "the file has a selection: only selected vertices move (--no-selected moves all)\n";
+  for (const vcg_core::ParameterInfo& row : method.parameters) {
+    if (!row.values.by_selection || options.parameters.given(row) || !has_selection(file.mesh)) continue;
+    row.set(parameters, 1);
+    if (!options.quiet)
+      std::cerr << "the file has a selection: only selected vertices move (--no-selected moves all)\n";
+  }
   SmoothingReport report;
   {
     const CooperativeInterrupt scope;
@@ -167,43 +126,7 @@ std::function<void()> declare_smooth(CLI::App& app) {
   app.add_option("IN", options->input, "Mesh to smooth: PLY, OBJ, OFF or STL")->required();
   app.add_option("OUT", options->output, "Where the result goes; may be the same file")->required();
   app.add_option("--method", options->method, method_help())->capture_default_str();
-  app.add_option(
-      "--sigma-c", options->sigma_c,
-      "Standard deviation of the closeness weight, in average edge lengths; the neighbourhood grows with it; "
-      "> 0 [default 2; the paper uses 2 to 6]");
-  app.add_option("--sigma-s", options->sigma_s,
-                 "Standard deviation of the similarity weight, in average edge lengths: the height of what counts as "
-                 "noise; > 0 [default 1; the paper uses 0.5 to 2]");
-  app.add_option("--sigma-n", options->sigma_n,
-                 "Standard deviation of the normal weight, without unit: smaller keeps more edges; > 0 [default 0.3; "
-                 "the paper uses 0.1 to 0.3]");
-  app.add_option("--rho", options->rho, "Cut-off distance of the neighbourhood, in sigma_c; > 0 [default 2]");
-  app.add_option(
-      "--iterations", options->iterations,
-      "Number of passes; >= 1 [default 1; the other filters have their own; 0 with method guided: by the noise]");
-  app.add_option("--strength", options->strength,
-                 "Method guided: strength, as a multiple of what the mesh's own noise asks for; above 0, at most 10 "
-                 "[default 1]");
-  app.add_option("--feature-angle", options->feature_angle,
-                 "Method guided: angle between faces, in degrees, from which an edge is kept; above 0, at most 90 "
-                 "[default 30]");
-  app.add_flag_callback(
-      "--smooth-color", [options] { options->smooth_color = true; },
-      "Method guided: smooth the vertices' colour and quality as well, but not over edges");
-  app.add_option("--boundary", options->boundary,
-                 "Whether border vertices move: fixed or free [default fixed; method guided: free]");
-  CLI::Option* selected = app.add_flag_callback(
-      "--selected", [options] { options->selected = true; },
-      "Move only selected vertices and those of selected faces [default: if the file has a selection]");
-  app.add_flag_callback(
-         "--no-selected", [options] { options->selected = false; }, "Move all vertices")
-      ->excludes(selected);
-  app.add_option("--gaussian", options->gaussian,
-                 "Exponent of the weights: standard_deviation, or printed as in the paper's formulas")
-      ->capture_default_str();
-  app.add_flag("--check", options->check, "Also count the faces of the result that cut through others");
-  app.add_option("--threads", options->threads, "Number of threads, 0 for one a processor; the result is the same")
-      ->capture_default_str();
+  options->parameters.declare(app);
   app.add_option("--report", options->report, "Also write what was done to this file, as JSON");
   app.add_flag("--quiet", options->quiet, "Print warnings and errors only");
   return [options] { run(*options); };

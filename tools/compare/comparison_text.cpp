@@ -9,6 +9,7 @@ namespace {
 
 using mesh_tools::Measurement;
 using nlohmann::ordered_json;
+using vcg_core::ParameterInfo;
 
 std::string number(double value, int digits) {
   char text[64];
@@ -57,9 +58,10 @@ std::string figure_table(const Comparison& comparison) {
 
 std::string parameter_text(const MethodRun& run) {
   std::string text;
-  const ordered_json values = to_json(run.method, run.parameters);
-  for (const char* name : {"sigma_c", "sigma_s", "sigma_n", "rho", "iterations"})
-    if (values.contains(name)) text += (text.empty() ? "" : ", ") + std::string(name) + " " + values[name].dump();
+  for (const ParameterInfo& row : run.method.parameters) {
+    if (row.kind() != ParameterInfo::Kind::real && row.kind() != ParameterInfo::Kind::integer) continue;
+    text += (text.empty() ? "" : ", ") + row.name + " " + to_json(row, run.parameters).dump();
+  }
   return text;
 }
 

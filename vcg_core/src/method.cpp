@@ -6,20 +6,22 @@
 
 namespace vcg_core {
 
-bool MethodInfo::uses(std::string_view parameter) const {
-  return std::find(parameters.begin(), parameters.end(), parameter) != parameters.end();
+const ParameterInfo* MethodInfo::find(const ParameterInfo::Member& member) const {
+  const auto row = std::find_if(parameters.begin(), parameters.end(),
+                                [&](const ParameterInfo& candidate) { return candidate.member == member; });
+  return row == parameters.end() ? nullptr : &*row;
 }
 
 const std::vector<MethodInfo>& methods() {
   static const std::vector<MethodInfo> all = [] {
     std::vector<MethodInfo> infos;
-    for (const detail::FilterEntry& entry : detail::filter_table()) infos.push_back(entry.info);
+    for (const detail::Filter& filter : detail::catalogue()) infos.push_back(filter.info);
     return infos;
   }();
   return all;
 }
 
-const MethodInfo& method_info(Method method) { return detail::filter_entry(method).info; }
+const MethodInfo& method_info(Method method) { return detail::filter_of(method).info; }
 
 const std::string& method_name(Method method) { return method_info(method).name; }
 

@@ -85,21 +85,6 @@ class VertexCheck {
   std::vector<Index> next_;
 };
 
-const char* advice_of(Method method) {
-  switch (method) {
-    case Method::paper:
-      return "this filter moves convex shapes outwards, the more the coarser they are: use the guided filter; a smaller"
-             " sigma_s moves less";
-    case Method::bmd:
-    case Method::jones:
-      return "use the guided filter; a smaller sigma_s moves less";
-    case Method::guided:
-      return "use a lower strength, or select the noisy part only";
-    default:
-      return "use fewer iterations, or the guided filter";
-  }
-}
-
 }  // namespace
 
 void round_as_stored(const MeshArrays& mesh, Array<Vec3>& position, Job& job) {
@@ -120,8 +105,7 @@ void round_as_stored(const MeshArrays& mesh, Array<Vec3>& position, Job& job) {
   });
 }
 
-void check_result(const MeshArrays& mesh, const Array<Vec3>& position, Method method, SmoothingReport& report,
-                  Job& job) {
+void check_result(const MeshArrays& mesh, const Array<Vec3>& position, SmoothingReport& report, Job& job) {
   const auto chunks_of = [](std::size_t count) { return (count + grain - 1) / grain; };
   Array<Counts> counts(std::max(chunks_of(mesh.size()), chunks_of(mesh.face.size())));
   job.parallel(mesh.face.size(), grain, Loop::minor, [&](Chunks& chunks) {
@@ -150,7 +134,6 @@ void check_result(const MeshArrays& mesh, const Array<Vec3>& position, Method me
   report.closed = !mesh.topology.border_vertices && !mesh.topology.non_manifold_vertices && !all.opposed;
   if (all.largest_coordinate > 0)
     report.coordinate_spacing = std::ldexp(mesh.coordinate_epsilon, std::ilogb(all.largest_coordinate) - mesh.exponent);
-  report.advice = advice_of(method);
 }
 
 }  // namespace vcg_core::detail

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <vcg_core/detail/mesh_arrays.h>
-#include <vcg_core/method.h>
 #include <vcg_core/smoothing_report.h>
 
 namespace vcg_core::detail {
@@ -12,10 +11,9 @@ class Job;
 void round_as_stored(const MeshArrays& mesh, Array<Vec3>& position, Job& job);
 
 /// Compares the new positions with those that were read and fills in what SmoothingReport::warnings() judges by:
-/// faces, flipped_faces, the vertices that moved far, closed, coordinate_spacing and advice.
+/// faces, flipped_faces, the vertices that moved far, closed and coordinate_spacing.
 /// @param position  one per vertex, in units of RawMesh::position
 /// @throws Cancelled
-void check_result(const MeshArrays& mesh, const Array<Vec3>& position, Method method, SmoothingReport& report,
-                  Job& job);
+void check_result(const MeshArrays& mesh, const Array<Vec3>& position, SmoothingReport& report, Job& job);
 
 }  // namespace vcg_core::detail

@@ -9,7 +9,6 @@
 
 #include "copy_positions.h"
 #include "filters/catalogue.h"
-#include "filters/guided/attribute_smoothing.h"
 #include "result_check.h"
 #include "vertex_normals.h"
 #include "volume.h"
@@ -38,9 +37,9 @@ void describe_mesh(const MeshArrays& mesh, const MethodInfo& method, const Smoot
                    SmoothingReport& report) {
   const double e = std::ldexp(mesh.topology.average_edge_length, -mesh.exponent);
   report.average_edge_length = e;
-  if (method.uses("sigma_c")) report.sigma_c_length = parameters.sigma_c * e;
-  if (method.uses("sigma_s")) report.sigma_s_length = parameters.sigma_s * e;
-  if (method.uses("rho")) report.rho_length = parameters.rho * parameters.sigma_c * e;
+  if (method.uses(&SmoothingParameters::sigma_c)) report.sigma_c_length = parameters.sigma_c * e;
+  if (method.uses(&SmoothingParameters::sigma_s)) report.sigma_s_length = parameters.sigma_s * e;
+  if (method.uses(&SmoothingParameters::rho)) report.rho_length = parameters.rho * parameters.sigma_c * e;
   report.vertices = mesh.size();
   report.border_vertices = mesh.topology.border_vertices;
   report.non_manifold_vertices = mesh.topology.non_manifold_vertices;
@@ -57,17 +56,17 @@ void count_undefined_normals(const MeshArrays& mesh, const Array<Vec3>& normal, 
 }  // namespace
 
 bool smooths_attributes(Method method, const SmoothingParameters& parameters) {
-  return parameters.smooth_color && filter_entry(method).info.uses("smooth_color");
+  return parameters.smooth_color && filter_of(method).smooth_attributes != nullptr;
 }
 
 SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const SmoothingParameters& parameters,
                               VertexAttributes& attributes, Job& job) {
-  const FilterEntry& filter = filter_entry(method);
+  const Filter& filter = filter_of(method);
   SmoothingResult result;
   describe_mesh(mesh, filter.info, parameters, result.report);
   const Array<std::uint8_t> movable = find_movable(mesh, parameters, result.report, job);
 
-  const FilterPass run_pass = filter.make_pass();
+  const FilterPass run_pass = filter.make_pass(parameters);
   result.position = copy_positions(mesh.position, job);
   const int passes = filter.one_pass ? 1 : parameters.iterations;
   for (int pass = 0; pass < passes; ++pass) {
@@ -75,7 +74,7 @@ SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const Smoot
     Array<Vec3> normal;
     if (filter.needs_normals) normal = vertex_normals(mesh, result.position, job);
     if (filter.needs_normals && pass == 0) count_undefined_normals(mesh, normal, movable, result.report, job);
-    PassOutput output = run_pass({mesh, result.position, normal, movable, parameters, job});
+    PassOutput output = run_pass({mesh, result.position, normal, movable, job});
     if (pass == 0) result.report.skipped_vertices.empty_neighbourhood = output.empty_neighbourhoods;
     result.report.approximate_neighbourhoods += output.approximate_neighbourhoods;
     result.report.bounded_vertices += output.bounded_vertices;
@@ -84,11 +83,11 @@ SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const Smoot
     result.position = std::move(output.position);
   }
 
-  if (attributes.channels() > 0)
-    smooth_attributes(mesh, result.position, movable, guided_settings(parameters), attributes, job);
+  if (attributes.channels() > 0) filter.smooth_attributes(mesh, result.position, movable, parameters, attributes, job);
 
   round_as_stored(mesh, result.position, job);
-  check_result(mesh, result.position, method, result.report, job);
+  check_result(mesh, result.position, result.report, job);
+  result.report.advice = filter.advice;
   if (parameters.check) {
     job.begin_stage("Looking for self-intersections", 0.99);
     result.report.self_intersections = count_self_intersections(mesh, result.position, job);

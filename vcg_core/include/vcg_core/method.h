@@ -9,7 +9,8 @@
 
 namespace vcg_core {
 
-/// The smoothing filters. Each says in its own file where it comes from and where it differs from its source.
+/// The smoothing filters. Each says in its own folder, src/filters/<name>, where it comes from and where it differs
+/// from its source.
 enum class Method {
   paper,      ///< Anisotropic Feature-Preserving Smoothing of 3D Mesh, sections 4 to 6
   bmd,        ///< bilateral mesh denoising: Fleishman, Drori, Cohen-Or 2003; section 3
@@ -24,14 +25,14 @@ enum class Method {
 /// What a program needs to know to offer a method.
 struct MethodInfo {
   Method method;
-  std::string name;                     ///< short and stable, for command lines and files
-  std::string title;                    ///< for people
-  std::vector<std::string> parameters;  ///< fields of SmoothingParameters, beyond those that all methods obey
-                                        ///< (boundary, selected_only, threads); the others have no effect
-  SmoothingParameters defaults;         ///< the paper's Table 1; for guided what fits any mesh
-  int fewest_iterations = 1;            ///< 0 where 0 means that the method chooses by itself
+  std::string name;                       ///< short and stable, for command lines and files
+  std::string title;                      ///< for people
+  std::vector<ParameterInfo> parameters;  ///< all that the method obeys, in the order of MeshLab's dialog
+  SmoothingParameters defaults = {};      ///< the paper's Table 1; for guided what fits any mesh
 
-  bool uses(std::string_view parameter) const;
+  /// The row of a member such as &SmoothingParameters::rho; null if the method does not obey it.
+  const ParameterInfo* find(const ParameterInfo::Member& member) const;
+  bool uses(const ParameterInfo::Member& member) const { return find(member) != nullptr; }
 };
 
 /// All methods, in the order of the enumeration.

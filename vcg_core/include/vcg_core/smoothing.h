@@ -25,7 +25,7 @@ namespace vcg_core {
 template <class Mesh>
 SmoothingReport smooth(Mesh& mesh, Method method, const SmoothingParameters& parameters = {},
                        const Progress& progress = {}) {
-  parameters.validate(method_info(method).fewest_iterations);
+  parameters.validate(method);
   detail::Job job(progress, parameters.threads);
   const detail::MeshArrays arrays = detail::read_mesh(mesh, job);
   detail::VertexAttributes attributes;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <vcg_core/smoothing_parameters.h>
+#include <vcg_core/filters/bilateral_parameters.h>
 
 namespace vcg_core::detail {
 

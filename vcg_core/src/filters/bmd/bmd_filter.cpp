@@ -18,6 +18,9 @@ Array<Index> vertices_with_faces(const MeshArrays& mesh, Job& job) {
   return vertices;
 }
 
+/// There is no normal weight: the difference of normals is given as 0.
+constexpr double any_sigma_n = 1;
+
 /// Section 3's d_i, in |e|. `unit` is |e|.
 double bmd_offset(const Vec3& v_i, const Vec3& n_i, PointGrid::Search& ball, const GaussianWeights& weights,
                   double unit) {
@@ -33,12 +36,9 @@ double bmd_offset(const Vec3& v_i, const Vec3& n_i, PointGrid::Search& ball, con
   return sum / sum_of_weights;  // v_i itself has weight 1
 }
 
-}  // namespace
-
-PassOutput bmd_pass(const PassInput& in) {
+PassOutput bmd_pass(const PassInput& in, const BilateralParameters& p) {
   const double unit = in.mesh.topology.average_edge_length;
-  const SmoothingParameters& p = in.parameters;
-  const GaussianWeights weights(p.sigma_c, p.sigma_s, p.sigma_n, p.gaussian);
+  const GaussianWeights weights(p.sigma_c, p.sigma_s, any_sigma_n, p.gaussian);
   const PointGrid grid(in.position, vertices_with_faces(in.mesh, in.job), p.rho * p.sigma_c * unit, &in.job);
   in.job.report(0.0);
   PassOutput out{in.position};
@@ -52,6 +52,21 @@ PassOutput bmd_pass(const PassInput& in) {
       }
   });
   return out;
+}
+
+}  // namespace
+
+Filter bmd_filter() {
+  const BilateralRows<SmoothingParameters> bilateral;
+  const CommonRows<SmoothingParameters> common;
+  return {{Method::bmd,
+           "bmd",
+           "Bilateral mesh denoising",
+           {bilateral.sigma_c, bilateral.sigma_s, common.iterations, common.boundary, common.selected,
+            without_label(bilateral.rho), bilateral.gaussian}},
+          "use the guided filter; a smaller sigma_s moves less",
+          true,
+          [](const SmoothingParameters& all) { return bind_pass<BilateralParameters>(bmd_pass, all); }};
 }
 
 }  // namespace vcg_core::detail

@@ -9,6 +9,7 @@
 
 #include <vcg_core/detail/job.h>
 
+#include "attribute_smoothing.h"
 #include "detail_recovery.h"
 #include "displacement_limit.h"
 #include "face_geometry.h"
@@ -139,6 +140,32 @@ PassOutput guided_pass(const PassInput& input, const GuidedSettings& settings) {
   return GuidedRun(input, settings).run();
 }
 
-PassOutput guided_pass(const PassInput& input) { return guided_pass(input, guided_settings(input.parameters)); }
+namespace {
+
+GuidedSettings settings_of(const SmoothingParameters& all) { return guided_settings(all, all.iterations); }
+
+FilterPass make_guided_pass(const SmoothingParameters& all) {
+  return [settings = settings_of(all)](const PassInput& in) { return guided_pass(in, settings); };
+}
+
+void smooth_guided_attributes(const MeshArrays& mesh, const Array<Vec3>& position, const Array<std::uint8_t>& movable,
+                              const SmoothingParameters& all, VertexAttributes& attributes, Job& job) {
+  smooth_attributes(mesh, position, movable, settings_of(all), attributes, job);
+}
+
+}  // namespace
+
+Filter guided_filter() {
+  SmoothingParameters defaults;
+  defaults.iterations = 0;
+  defaults.boundary = Boundary::free;  // borders are as noisy as the rest, and the filter does not pull them inwards
+  return {
+      {Method::guided, "guided", "Guided anisotropic smoothing", guided_parameters<SmoothingParameters>(), defaults},
+      "use a lower strength, or select the noisy part only",
+      false,
+      make_guided_pass,
+      true,
+      smooth_guided_attributes};
+}
 
 }  // namespace vcg_core::detail

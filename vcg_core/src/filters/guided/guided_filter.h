@@ -8,9 +8,9 @@ namespace vcg_core::detail {
 /// Guided anisotropic smoothing; docs/guided.md holds the equations, their sources and what each step brings.
 /// Normals of faces are filtered coarsely by guides, the vertices following, then finely by themselves; the noisy
 /// vertices are moved to where the faces have these normals; and detail that was taken for noise is brought back.
-PassOutput guided_pass(const PassInput& input);
+Filter guided_filter();
 
-/// The same by given settings: for the ablation.
+/// Its one pass. By itself for the ablation, which changes the settings.
 PassOutput guided_pass(const PassInput& input, const GuidedSettings& settings);
 
 }  // namespace vcg_core::detail

@@ -13,14 +13,14 @@ double chord(double degrees) { return 2 * std::sin(degrees * std::acos(-1.0) / 3
 
 }  // namespace
 
-GuidedSettings guided_settings(const SmoothingParameters& parameters) {
+GuidedSettings guided_settings(const GuidedParameters& parameters, int coarse_rounds) {
   GuidedSettings settings;
   const double range_scale = parameters.strength * chord(parameters.feature_angle) / chord(reference_angle);
   settings.coarse_range *= range_scale;
   settings.fine_range *= range_scale;
   settings.ring_range_floor *= range_scale;
   settings.noise_scale = parameters.strength;
-  settings.coarse_rounds = parameters.iterations;
+  settings.coarse_rounds = coarse_rounds;
   return settings;
 }
 

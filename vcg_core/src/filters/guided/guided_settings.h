@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vcg_core/smoothing_parameters.h>
+#include <vcg_core/filters/guided_parameters.h>
 
 namespace vcg_core::detail {
 
@@ -66,6 +66,7 @@ struct GuidedSettings {
 };
 
 /// The settings that the parameters ask for.
-GuidedSettings guided_settings(const SmoothingParameters& parameters);
+/// @param coarse_rounds  0: by the noise
+GuidedSettings guided_settings(const GuidedParameters& parameters, int coarse_rounds);
 
 }  // namespace vcg_core::detail

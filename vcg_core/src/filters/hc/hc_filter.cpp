@@ -4,6 +4,7 @@
 
 #include <vcg_core/detail/job.h>
 
+#include "filters/step_filter.h"
 #include "vertex_neighbors.h"
 
 namespace vcg_core::detail {
@@ -43,8 +44,6 @@ PassOutput hc_pass(const PassInput& in, const VertexNeighbors& neighbors) {
   return out;
 }
 
-}  // namespace
-
 FilterPass make_hc_pass() {
   // Shared, as a FilterPass can be copied.
   return [neighbors = std::make_shared<VertexNeighbors>()](const PassInput& in) {
@@ -52,5 +51,9 @@ FilterPass make_hc_pass() {
     return hc_pass(in, *neighbors);
   };
 }
+
+}  // namespace
+
+Filter hc_filter() { return step_filter(Method::hc, "hc", "Improved Laplacian smoothing (HC)", make_hc_pass); }
 
 }  // namespace vcg_core::detail

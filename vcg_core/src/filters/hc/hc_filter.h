@@ -20,6 +20,6 @@ constexpr double hc_beta = 0.5;
 ///
 /// Where the code differs: the article is silent about borders; here the neighbours of a border vertex are those along
 /// the border, as for Laplacian and Taubin's smoothing, so that a free border is not drawn inwards.
-FilterPass make_hc_pass();
+Filter hc_filter();
 
 }  // namespace vcg_core::detail

@@ -12,6 +12,6 @@ namespace vcg_core::detail {
 /// it, so its step is (1 - beta) (b_i + mean b_j): nothing is pushed back, and it shrinks about as much as Laplacian
 /// smoothing does. It averages border vertices with all their neighbours, and takes b_j of fixed vertices as if they
 /// moved.
-FilterPass make_hc_vcglib_pass();
+Filter hc_vcglib_filter();
 
 }  // namespace vcg_core::detail

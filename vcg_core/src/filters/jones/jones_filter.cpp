@@ -52,10 +52,11 @@ double exponent(double squared_argument, double sigma) { return -squared_argumen
 
 /// The vertices of the copy that lends its normals: all that have faces, movable or not. The progress
 /// bar waits meanwhile, so that it does not stand at its end through the predictions.
-Array<Vec3> mollified_positions(const PassInput& in, const FaceMeans& means, const Array<Index>& faces) {
+Array<Vec3> mollified_positions(const PassInput& in, const BilateralParameters& parameters, const FaceMeans& means,
+                                const Array<Index>& faces) {
   const double unit = in.mesh.topology.average_edge_length;
-  const double sigma = in.parameters.sigma_c / 2;
-  const PointGrid grid(means.centroid, faces, in.parameters.rho * sigma * unit, &in.job);
+  const double sigma = parameters.sigma_c / 2;
+  const PointGrid grid(means.centroid, faces, parameters.rho * sigma * unit, &in.job);
   in.job.poll();
   Array<Vec3> mollified = in.position;
   in.job.parallel(in.mesh.size(), 256, Loop::minor, [&](Chunks& chunks) {
@@ -90,18 +91,16 @@ Array<Vec3> face_normals(const MeshArrays& mesh, const Array<Vec3>& position, Jo
   return normal;
 }
 
-}  // namespace
-
-PassOutput jones_pass(const PassInput& in) {
+PassOutput jones_pass(const PassInput& in, const BilateralParameters& parameters) {
   const double unit = in.mesh.topology.average_edge_length;
-  const double sigma_c = in.parameters.sigma_c;
-  const double sigma_s = in.parameters.sigma_s;
+  const double sigma_c = parameters.sigma_c;
+  const double sigma_s = parameters.sigma_s;
   const FaceMeans means = face_means(in.mesh, in.position, in.job);
   const Array<Index> faces = faces_with_area(means, in.job);
-  const Array<Vec3> normal = face_normals(in.mesh, mollified_positions(in, means, faces), in.job);
+  const Array<Vec3> normal = face_normals(in.mesh, mollified_positions(in, parameters, means, faces), in.job);
 
   in.job.poll();
-  const PointGrid grid(means.centroid, faces, in.parameters.rho * sigma_c * unit, &in.job);
+  const PointGrid grid(means.centroid, faces, parameters.rho * sigma_c * unit, &in.job);
   in.job.poll();
   PassOutput out{in.position};
   std::atomic<std::size_t> empty{0};
@@ -131,6 +130,21 @@ PassOutput jones_pass(const PassInput& in) {
   });
   out.empty_neighbourhoods = empty;
   return out;
+}
+
+}  // namespace
+
+Filter jones_filter() {
+  const BilateralRows<SmoothingParameters> bilateral;
+  const CommonRows<SmoothingParameters> common;
+  return {{Method::jones,
+           "jones",
+           "Non-iterative feature-preserving smoothing",
+           {bilateral.sigma_c, bilateral.sigma_s, common.boundary, common.selected, without_label(bilateral.rho),
+            without_label(common.iterations)}},
+          "use the guided filter; a smaller sigma_s moves less",
+          false,
+          [](const SmoothingParameters& all) { return bind_pass<BilateralParameters>(jones_pass, all); }};
 }
 
 }  // namespace vcg_core::detail

@@ -4,7 +4,7 @@
 
 namespace vcg_core::detail {
 
-/// One pass of non-iterative, feature-preserving mesh smoothing (Jones, Durand, Desbrun 2003).
+/// Non-iterative, feature-preserving mesh smoothing (Jones, Durand, Desbrun 2003).
 ///
 /// Each face q within the cut-off distance predicts where vertex p belongs: at the projection of p onto the plane
 /// through the face's centroid with the face's mollified normal. p moves to the mean of the predictions, weighted by
@@ -15,6 +15,6 @@ namespace vcg_core::detail {
 /// Where the code differs: the Gaussians are cut off at rho sigma_c (rho sigma_c / 2 for the copy), rho = 2. Vertices
 /// without a weight that counts (no centroid so near, as on coarse parts of a graded mesh) stay where they are, and so
 /// do those of the copy; the article does not mention them.
-PassOutput jones_pass(const PassInput& in);
+Filter jones_filter();
 
 }  // namespace vcg_core::detail

@@ -10,6 +10,6 @@ namespace vcg_core::detail {
 ///
 /// Where the code differs: vcglib averages border vertices with their neighbours along the border, and twice with
 /// themselves. The second is undone here: along a border that is free the rule is the one above.
-FilterPass make_laplacian_pass();
+Filter laplacian_filter();
 
 }  // namespace vcg_core::detail

@@ -1,9 +1,12 @@
 #include "paper_filter.h"
 
+#include <memory>
+
 #include <vcg_core/detail/job.h>
 
 #include "filters/weights.h"
 #include "geodesic_march.h"
+#include "lanes/lane_filter.h"
 #include "triangle_frames.h"
 
 namespace vcg_core::detail {
@@ -33,7 +36,7 @@ double paper_offset(Index i, const GeodesicMarch<double>& march, const Array<Vec
 }  // namespace
 
 Array<Vec3> paper_pass(const MeshArrays& mesh, const Array<Vec3>& position, const Array<Vec3>& normal,
-                       const Array<std::uint8_t>& movable, const SmoothingParameters& parameters, Job& job) {
+                       const Array<std::uint8_t>& movable, const PaperParameters& parameters, Job& job) {
   const double unit = mesh.topology.average_edge_length;
   const double cutoff = parameters.rho * parameters.sigma_c;
   const GaussianWeights weights(parameters.sigma_c, parameters.sigma_s, parameters.sigma_n, parameters.gaussian);
@@ -51,6 +54,28 @@ Array<Vec3> paper_pass(const MeshArrays& mesh, const Array<Vec3>& position, cons
       }
   });
   return moved;
+}
+
+namespace {
+
+FilterPass make_paper_pass(const SmoothingParameters& all) {
+  const PaperParameters& parameters = all;
+  if (parameters.arithmetic == Arithmetic::reference)
+    return [parameters](const PassInput& in) {
+      return PassOutput{paper_pass(in.mesh, in.position, in.normal, in.movable, parameters, in.job)};
+    };
+  const auto lanes = std::make_shared<LanePass>(parameters);  // shared, as a FilterPass can be copied
+  return [lanes](const PassInput& in) { return lanes->run(in); };
+}
+
+}  // namespace
+
+Filter paper_filter() {
+  return {{Method::paper, "paper", "Anisotropic feature-preserving smoothing", paper_parameters<SmoothingParameters>()},
+          "this filter moves convex shapes outwards, the more the coarser they are: use the guided filter; a smaller"
+          " sigma_s moves less",
+          true,
+          make_paper_pass};
 }
 
 }  // namespace vcg_core::detail

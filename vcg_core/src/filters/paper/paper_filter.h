@@ -3,11 +3,11 @@
 #include <cstdint>
 
 #include <vcg_core/detail/mesh_arrays.h>
-#include <vcg_core/smoothing_parameters.h>
+#include <vcg_core/filters/paper_parameters.h>
+
+#include "filters/filter.h"
 
 namespace vcg_core::detail {
-
-class Job;
 
 /// Neighbourhoods are marched this far, in |e|, beyond the cut-off: an edge with one end beyond it still feeds vertices
 /// inside.
@@ -20,6 +20,9 @@ constexpr double march_margin = 0.5;
 /// @param movable   whether each vertex may move
 /// @return          the new positions
 Array<Vec3> paper_pass(const MeshArrays& mesh, const Array<Vec3>& position, const Array<Vec3>& normal,
-                       const Array<std::uint8_t>& movable, const SmoothingParameters& parameters, Job& job);
+                       const Array<std::uint8_t>& movable, const PaperParameters& parameters, Job& job);
+
+/// With the fast path of lanes/ or, by PaperParameters::arithmetic, with paper_pass.
+Filter paper_filter();
 
 }  // namespace vcg_core::detail

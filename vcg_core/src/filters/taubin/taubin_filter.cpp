@@ -1,8 +1,11 @@
 #include "taubin_filter.h"
 
+#include "filters/step_filter.h"
 #include "filters/vcglib_mesh.h"
 
 namespace vcg_core::detail {
+
+namespace {
 
 FilterPass make_taubin_pass() {
   return make_vcglib_pass([](VcglibMesh& mesh) {
@@ -18,5 +21,9 @@ FilterPass make_taubin_pass() {
           [](double k) { return (k + 1) / k; });
   });
 }
+
+}  // namespace
+
+Filter taubin_filter() { return step_filter(Method::taubin, "taubin", "Taubin's signal processing", make_taubin_pass); }
 
 }  // namespace vcg_core::detail

@@ -13,6 +13,6 @@ constexpr float taubin_mu = -0.6732f;
 ///
 /// Where the code differs: vcglib averages border vertices with their neighbours along the border and with themselves.
 /// The second is undone here: along a border that is free the rule is the one above.
-FilterPass make_taubin_pass();
+Filter taubin_filter();
 
 }  // namespace vcg_core::detail

@@ -13,9 +13,10 @@
 
 namespace vcg_core::detail {
 
-LanePass::LanePass() : LanePass(*supported_lane_kernels().front()) {}
+LanePass::LanePass(const PaperParameters& parameters) : LanePass(parameters, *supported_lane_kernels().front()) {}
 
-LanePass::LanePass(const LaneKernel& kernel) : kernel_(kernel) {}
+LanePass::LanePass(const PaperParameters& parameters, const LaneKernel& kernel)
+    : parameters_(parameters), kernel_(kernel) {}
 
 PassOutput LanePass::run(const PassInput& in) {
   if (!kept_) {
@@ -27,9 +28,9 @@ PassOutput LanePass::run(const PassInput& in) {
   const SourceGroups& groups = kept_->groups;
   const Array<Index>& patch_begin = kept_->patch_begin;
   const LaneMesh lanes{in.mesh, kept_->ring, groups, in.position, in.normal};
-  const LaneParameters constants = lane_parameters(in.parameters);
+  const LaneParameters constants = lane_parameters(parameters_);
   const double unit = in.mesh.topology.average_edge_length;
-  const double reach = in.parameters.rho * in.parameters.sigma_c + march_margin;
+  const double reach = parameters_.rho * parameters_.sigma_c + march_margin;
   const LanePoll poll = [](void* chunks) { static_cast<Chunks*>(chunks)->poll(); };
   const auto moves = [&](std::size_t g) {
     return std::any_of(groups.member.begin() + groups.begin[g], groups.member.begin() + groups.begin[g + 1],

@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include <vcg_core/filters/paper_parameters.h>
+
 #include "filters/filter.h"
 #include "patch.h"
 #include "ring.h"
@@ -14,8 +16,8 @@ namespace vcg_core::detail {
 /// from pass to pass the groups of sources and the faces around each vertex.
 class LanePass {
  public:
-  LanePass();
-  explicit LanePass(const LaneKernel& kernel);
+  explicit LanePass(const PaperParameters& parameters);  ///< with the fastest kernel
+  LanePass(const PaperParameters& parameters, const LaneKernel& kernel);
 
   PassOutput run(const PassInput& in);
 
@@ -26,6 +28,7 @@ class LanePass {
     Array<Index> patch_begin;  ///< groups by patch
   };
 
+  PaperParameters parameters_;
   const LaneKernel& kernel_;
   std::optional<Kept> kept_;
 };

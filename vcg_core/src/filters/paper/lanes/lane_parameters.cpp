@@ -18,7 +18,7 @@ constexpr std::uint32_t looks_per_corner = 60;
 
 }  // namespace
 
-LaneParameters lane_parameters(const SmoothingParameters& p) {
+LaneParameters lane_parameters(const PaperParameters& p) {
   const double log2_e = 1.4426950408889634;
   const double largest = 1e30;  // keeps zero times a coefficient zero
   const double exponent = p.gaussian == GaussianForm::printed ? 1 : 2;
