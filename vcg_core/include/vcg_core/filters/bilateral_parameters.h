@@ -42,8 +42,8 @@ struct BilateralRows {
                            edge_length};
   ParameterInfo rho = {&All::rho,
                        "rho",
-                       "Cut-off distance (rho), in sigma_c",
-                       "Geodesic radius of the neighbourhood. Higher: more vertices of little weight take part, and"
+                       "",
+                       "Radius of the neighbourhood in a straight line. Higher: more of little weight takes part, and"
                        " time grows with the square.",
                        above(0),
                        "the paper uses 2",

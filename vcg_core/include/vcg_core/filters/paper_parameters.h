@@ -30,7 +30,10 @@ std::vector<ParameterInfo> paper_parameters() {
            "Standard deviation of the normal weight, whose argument is 1 - cosine of the angle between two normals."
            " Higher: the surface is smoothed across steeper edges; lower: more edges are kept, and more noise.",
            above(0), "the paper uses 0.1 to 0.3", ""},
-          bilateral.rho,
+          {&All::rho, "rho", "Cut-off distance (rho), in sigma_c",
+           "Geodesic radius of the neighbourhood. Higher: more vertices of little weight take part, and time grows with"
+           " the square.",
+           above(0), "the paper uses 2", "sigma_c"},
           common.iterations,
           common.boundary,
           common.selected,

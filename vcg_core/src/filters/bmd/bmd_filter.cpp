@@ -62,8 +62,8 @@ Filter bmd_filter() {
   return {{Method::bmd,
            "bmd",
            "Bilateral mesh denoising",
-           {bilateral.sigma_c, bilateral.sigma_s, common.iterations, common.boundary, common.selected,
-            without_label(bilateral.rho), bilateral.gaussian}},
+           {bilateral.sigma_c, bilateral.sigma_s, common.iterations, common.boundary, common.selected, bilateral.rho,
+            bilateral.gaussian}},
           "use the guided filter; a smaller sigma_s moves less",
           true,
           [](const SmoothingParameters& all) { return bind_pass<BilateralParameters>(bmd_pass, all); }};

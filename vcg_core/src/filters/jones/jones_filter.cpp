@@ -140,7 +140,7 @@ Filter jones_filter() {
   return {{Method::jones,
            "jones",
            "Non-iterative feature-preserving smoothing",
-           {bilateral.sigma_c, bilateral.sigma_s, common.boundary, common.selected, without_label(bilateral.rho),
+           {bilateral.sigma_c, bilateral.sigma_s, common.boundary, common.selected, bilateral.rho,
             without_label(common.iterations)}},
           "use the guided filter; a smaller sigma_s moves less",
           false,
