@@ -8,9 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include <mesh/read_mesh.h>
 #include <mesh_tools/noise.h>
 #include <mesh_tools/shapes.h>
-#include <vcg_core/detail/read_mesh.h>
+#include <vcg_core/detail/job.h>
+#include <vcg_core/mesh/vcglib_view.h>
 
 #include "filters/paper/lanes/lane_kernels.h"
 #include "filters/paper/lanes/lane_parameters.h"
@@ -65,7 +67,7 @@ const Arrays& noisy_arrays(const Kind& kind) {
   const auto found = kept.find(kind);
   if (found != kept.end()) return found->second;
   Job job = single_thread();
-  Arrays arrays{read_mesh(noisy_mesh(kind), job), {}, {}};
+  Arrays arrays{read_mesh(vcg_core::view_of(noisy_mesh(kind)), job), {}, {}};
   arrays.normal = vertex_normals(arrays.mesh, arrays.mesh.position, job);
   arrays.movable.assign(arrays.mesh.size(), 1);
   return kept.emplace(kind, std::move(arrays)).first->second;

@@ -9,10 +9,11 @@
 #include <stdexcept>
 #include <string>
 
+#include <mesh/commit_positions.h>
+#include <mesh/read_mesh.h>
 #include <mesh_tools/mesh_io.h>
-#include <vcg_core/detail/commit_positions.h>
 #include <vcg_core/detail/job.h>
-#include <vcg_core/detail/read_mesh.h>
+#include <vcg_core/mesh/vcglib_view.h>
 #include <vcg_core/method.h>
 
 #include "filters/guided/guided_filter.h"
@@ -75,7 +76,7 @@ void run(int argc, char** argv) {
   for (int k = 3; k < argc; ++k) change(settings, argv[k]);
   const vcg_core::Progress silent;
   Job job(silent, 1);
-  const MeshArrays mesh = read_mesh(file.mesh, job);
+  const MeshArrays mesh = read_mesh(vcg_core::view_of(file.mesh), job);
   job.begin_stage("Smoothing", 1);
   Array<std::uint8_t> movable(mesh.size());
   for (std::size_t v = 0; v < mesh.size(); ++v)
@@ -83,7 +84,7 @@ void run(int argc, char** argv) {
   const Array<Vec3> no_normals;
   const PassOutput output = guided_pass({mesh, mesh.position, no_normals, movable, job}, settings);
   vcg_core::SmoothingReport report;
-  commit_positions(mesh, output.position, file.mesh, report);
+  commit_positions(mesh, output.position, vcg_core::view_of(file.mesh), report);
   mesh_tools::write_mesh(file, argv[2]);
 }
 

@@ -6,8 +6,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include <mesh/read_mesh.h>
 #include <support/high_valence.h>
-#include <vcg_core/detail/read_mesh.h>
+#include <vcg_core/detail/job.h>
+#include <vcg_core/mesh/vcglib_view.h>
 
 #include "bench_mesh.h"
 #include "filters/paper/lanes/lane_filter.h"
@@ -67,7 +69,7 @@ bench::Arrays arrays_of(const test_support::FlatMesh& flat) {
   mesh_tools::Mesh mesh;
   test_support::fill(mesh, flat);
   Job job = bench::single_thread();
-  bench::Arrays arrays{read_mesh(mesh, job), {}, {}};
+  bench::Arrays arrays{read_mesh(vcg_core::view_of(mesh), job), {}, {}};
   arrays.normal = vertex_normals(arrays.mesh, arrays.mesh.position, job);
   for (const Vec3& normal : arrays.normal) arrays.movable.push_back(normal.isZero(0) ? 0 : 1);
   return arrays;

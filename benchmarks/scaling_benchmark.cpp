@@ -5,9 +5,11 @@
 
 #include <benchmark/benchmark.h>
 
-#include <vcg_core/detail/commit_positions.h>
-#include <vcg_core/detail/read_mesh.h>
-#include <vcg_core/detail/smooth_arrays.h>
+#include <mesh/commit_positions.h>
+#include <mesh/read_mesh.h>
+#include <smooth_arrays.h>
+#include <vcg_core/detail/job.h>
+#include <vcg_core/mesh/vcglib_view.h>
 #include <vcg_core/smoothing.h>
 
 #include "bench_mesh.h"
@@ -140,13 +142,13 @@ void steps(benchmark::State& state) {
   double commit = 0;
   for (auto _ : state) {
     const Clock::time_point begin = Clock::now();
-    const detail::MeshArrays arrays = detail::read_mesh(mesh, job);
+    const detail::MeshArrays arrays = detail::read_mesh(vcg_core::view_of(mesh), job);
     const Clock::time_point was_read = Clock::now();
     benchmark::DoNotOptimize(detail::vertex_normals(arrays, arrays.position, job));
     const Clock::time_point had_normals = Clock::now();
-    detail::SmoothingResult result = detail::smooth_arrays(arrays, Method::paper, parameters, no_attributes, job);
+    detail::SmoothingResult result = detail::smooth_arrays(arrays, Method::paper, parameters, {}, no_attributes, job);
     const Clock::time_point was_smooth = Clock::now();
-    detail::commit_positions(arrays, result.position, mesh, result.report);
+    detail::commit_positions(arrays, result.position, view_of(mesh), result.report);
     const Clock::time_point end = Clock::now();
     state.PauseTiming();
     copy_positions(bench::noisy_mesh({vertices_of(state)}), mesh);

@@ -226,7 +226,7 @@ TEST(GuidedColor, DoesNotBleedOverAnEdge) {
   Job job{no_progress, 1};
   const MeshArrays mesh = arrays_of(test_support::noisy_shape("cube", 2000, 0), job);
   VertexAttributes attributes;
-  attributes.has_quality = true;
+  attributes.has_scalar = true;
   double top = -1e300;
   for (const Vec3& p : mesh.position) top = std::max(top, p[2]);
   const double e = mesh.topology.average_edge_length;

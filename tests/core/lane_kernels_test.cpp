@@ -15,8 +15,10 @@
 #include <filters/paper/lanes/patch_builder.h>
 #include <filters/paper/paper_filter.h>
 #include <geodesic_march.h>
+#include <mesh/read_mesh.h>
 #include <triangle_frames.h>
-#include <vcg_core/detail/read_mesh.h>
+#include <vcg_core/detail/job.h>
+#include <vcg_core/mesh/vcglib_view.h>
 #include <vertex_normals.h>
 
 #include <support/hand_made.h>
@@ -35,7 +37,7 @@ class Prepared {
  public:
   explicit Prepared(const FlatMesh& shape, int threads = 2) : job_(no_progress_, threads) {
     fill(mesh_, shape);
-    arrays_ = read_mesh(mesh_, job_);
+    arrays_ = read_mesh(vcg_core::view_of(mesh_), job_);
     normal_ = vertex_normals(arrays_, arrays_.position, job_);
     for (std::size_t v = 0; v < arrays_.size(); ++v) movable_.push_back(!normal_[v].isZero(0));
   }

@@ -8,11 +8,12 @@
 
 #include <gtest/gtest.h>
 
+#include <mesh/read_mesh.h>
+#include <smooth_arrays.h>
 #include <support/hand_made.h>
 #include <support/mesh_types.h>
 #include <vcg_core/detail/job.h>
-#include <vcg_core/detail/read_mesh.h>
-#include <vcg_core/detail/smooth_arrays.h>
+#include <vcg_core/mesh/vcglib_view.h>
 
 namespace {
 
@@ -55,7 +56,7 @@ Stretches measure(const DoubleMesh& mesh, const Work& work) {
   };
   detail::Job job(progress, 1, always_due);
   const double start = last;
-  const detail::MeshArrays arrays = detail::read_mesh(mesh, job);
+  const detail::MeshArrays arrays = detail::read_mesh(vcg_core::view_of(mesh), job);
   result.reading = thread_time() - start;
   work(arrays, job);
   return result;
@@ -85,7 +86,7 @@ TEST_P(Polls, ComeOftenInAPassOfTheFilter) {
   parameters.iterations = 1;
   expect_polls(mesh, [&](const detail::MeshArrays& arrays, detail::Job& job) {
     detail::VertexAttributes none;
-    detail::smooth_arrays(arrays, GetParam(), parameters, none, job);
+    detail::smooth_arrays(arrays, GetParam(), parameters, {}, none, job);
     job.finish();
   });
 }

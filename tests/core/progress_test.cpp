@@ -14,8 +14,12 @@
 #include <support/mesh_types.h>
 #include <support/progress_log.h>
 #include <support/raw_snapshot.h>
+#include <vcg_core/detail/job.h>
 #include <vcg_core/geodesic_distance.h>
 #include <vcg_core/smoothing.h>
+
+#include <mesh/read_mesh.h>
+#include <smooth_arrays.h>
 
 namespace {
 
@@ -124,11 +128,11 @@ TEST_P(ProgressOfSmoothing, FollowsTheWork) {
 
 INSTANTIATE_TEST_SUITE_P(Threads, ProgressOfSmoothing, testing::Values(1, 4), testing::PrintToStringParamName());
 
-/// A time of its own, 40 ms later at every question: so that a short run makes many calls, on any machine.
+/// A time of its own, 60 ms later at every question: so that a short run makes many calls, on any machine.
 class AskedTime {
  public:
   using Point = std::chrono::steady_clock::time_point;
-  static Point ask() { return now_ += std::chrono::milliseconds(40); }
+  static Point ask() { return now_ += std::chrono::milliseconds(60); }
   static Point now() { return now_; }
 
  private:
@@ -152,9 +156,9 @@ std::vector<CallInTime> calls_of(vcg_core::Method method, int threads) {
     return true;
   };
   vcg_core::detail::Job job(progress, threads, AskedTime::ask);
-  const vcg_core::detail::MeshArrays arrays = vcg_core::detail::read_mesh(mesh, job);
+  const vcg_core::detail::MeshArrays arrays = vcg_core::detail::read_mesh(vcg_core::view_of(mesh), job);
   vcg_core::detail::VertexAttributes none;
-  vcg_core::detail::smooth_arrays(arrays, method, vcg_core::method_info(method).defaults, none, job);
+  vcg_core::detail::smooth_arrays(arrays, method, vcg_core::method_info(method).defaults, {}, none, job);
   job.finish();
   return calls;
 }

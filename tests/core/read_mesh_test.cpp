@@ -1,6 +1,6 @@
-// Copying a vcglib mesh to arrays loses nothing, and what the topology says is right.
+// Copying a mesh to arrays loses nothing, and what the topology says is right.
 
-#include <vcg_core/detail/read_mesh.h>
+#include <mesh/read_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,6 @@
 #include <map>
 #include <random>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +19,11 @@
 #include <support/mesh_types.h>
 #include <support/naive_reference.h>
 #include <support/noisy_shapes.h>
+#include <vcg_core/detail/job.h>
+#include <vcg_core/errors.h>
+#include <vcg_core/mesh/vcglib_view.h>
+
+#include <power_of_two.h>
 
 namespace {
 
@@ -34,7 +38,7 @@ MeshArrays read(const FlatMesh& shape) {
   fill(mesh, shape);
   const vcg_core::Progress no_progress;
   Job job(no_progress, 2);
-  return vcg_core::detail::read_mesh(mesh, job);
+  return vcg_core::detail::read_mesh(vcg_core::view_of(mesh), job);
 }
 
 TEST(ReadMesh, PositionsComeBackBitForBitFromAnyScaleAndPlace) {
@@ -44,15 +48,13 @@ TEST(ReadMesh, PositionsComeBackBitForBitFromAnyScaleAndPlace) {
           transformed(potato(1), [&](const Point& p) { return (p + Point(shift, 0, shift)) * scale; });
       const MeshArrays arrays = read(shape);
       const PowerOfTwo to_host(-arrays.exponent);
-      double largest = 0;
       for (std::size_t i = 0; i < arrays.size(); ++i) {
         const auto back = (to_host * arrays.position[i]).eval();
         const Point& given = shape.points[arrays.host_vertex[i]];
         for (int k = 0; k < 3; ++k) EXPECT_EQ(back[k], given[k]);
-        largest = std::max(largest, arrays.position[i].cwiseAbs().maxCoeff());
+        const double largest = arrays.position[i].cwiseAbs().maxCoeff();
+        EXPECT_LT(largest, 1e20);  // its fourth power is a number still
       }
-      EXPECT_GE(largest, 1);
-      EXPECT_LT(largest, 2);
     }
 }
 
@@ -110,32 +112,16 @@ TEST(ReadMesh, EdgesOfASoupOfFacesAreCountedOnceEach) {
   }
 }
 
-/// Says that it is as large as is wished, and must not be looked into.
-template <class Element>
-struct Claim {
-  std::size_t claimed;
-  std::size_t size() const { return claimed; }
-  const Element* data() const { return nullptr; }
-  const Element& operator[](std::size_t) const { throw std::logic_error("no element was to be read"); }
-};
-
-struct HugeMesh {
-  using ScalarType = double;
-  Claim<DoubleMesh::VertexType> vert;
-  Claim<DoubleMesh::FaceType> face;
-  int vn = 1;
-  int fn = 1;
-};
-
+/// What a mesh of this size is refused with; one that is not refused would be read beyond its end.
 std::string refusal(std::size_t vertices, std::size_t faces) {
   const vcg_core::Progress no_progress;
   Job job(no_progress, 1);
+  double position[3] = {};
+  const std::uint32_t triangle[3] = {};
   try {
-    vcg_core::detail::read_mesh(HugeMesh{{vertices}, {faces}}, job);
+    vcg_core::detail::read_mesh(vcg_core::packed_mesh(position, vertices, triangle, faces), job);
   } catch (const vcg_core::InvalidMesh& error) {
     return error.what();
-  } catch (const std::logic_error&) {
-    return "";
   }
   return "nothing thrown";
 }

@@ -12,14 +12,16 @@
 
 #include <gtest/gtest.h>
 
+#include <mesh/read_mesh.h>
+#include <power_of_two.h>
 #include <support/bad_meshes.h>
 #include <support/hand_made.h>
 #include <support/mesh_types.h>
 #include <support/noisy_shapes.h>
 #include <support/result_census.h>
 #include <support/smoothed_by.h>
-#include <vcg_core/detail/power_of_two.h>
-#include <vcg_core/detail/read_mesh.h>
+#include <vcg_core/detail/job.h>
+#include <vcg_core/mesh/vcglib_view.h>
 #include <vcg_core/smoothing.h>
 
 namespace {
@@ -36,7 +38,7 @@ SmoothingReport report_of_move(const FlatMesh& before, const std::function<Point
   fill(mesh, before);
   const vcg_core::Progress no_progress;
   Job job(no_progress, 2);
-  const MeshArrays arrays = read_mesh(mesh, job);
+  const MeshArrays arrays = read_mesh(vcg_core::view_of(mesh), job);
   Array<Vec3> position = arrays.position;
   for (std::size_t v = 0; v < position.size(); ++v) {
     const Point to = move(arrays.host_vertex[v], before.points[arrays.host_vertex[v]]);
@@ -190,7 +192,7 @@ TEST(ResultCheck, RoundsAtTheScaleOfTheCaller) {
     fill(host, mesh);
     const vcg_core::Progress no_progress;
     Job job(no_progress, 1);
-    const MeshArrays arrays = read_mesh(host, job);
+    const MeshArrays arrays = read_mesh(vcg_core::view_of(host), job);
     Array<Vec3> position = arrays.position;
     round_as_stored(arrays, position, job);
     EXPECT_EQ(position, arrays.position) << exponent << ": what is stored already stays";

@@ -1,7 +1,9 @@
 #include <support/flat_mesh.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace test_support {
@@ -15,6 +17,21 @@ void append(FlatMesh& mesh, const FlatMesh& other) {
   const std::size_t offset = mesh.points.size();
   mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
   for (const Triangle& f : other.faces) mesh.faces.push_back({f[0] + offset, f[1] + offset, f[2] + offset});
+}
+
+std::vector<std::size_t> first_in_place(const FlatMesh& mesh) {
+  std::map<std::tuple<double, double, double>, std::size_t> at;
+  std::vector<std::size_t> first;
+  for (const Point& p : mesh.points)
+    first.push_back(at.emplace(std::tuple(p[0], p[1], p[2]), first.size()).first->second);
+  return first;
+}
+
+FlatMesh welded(FlatMesh mesh) {
+  const std::vector<std::size_t> first = first_in_place(mesh);
+  for (Triangle& f : mesh.faces)
+    for (std::size_t& v : f) v = first[v];
+  return mesh;
 }
 
 double average_edge_length(const FlatMesh& mesh) {

@@ -24,6 +24,13 @@ FlatMesh transformed(FlatMesh mesh, const std::function<Point(const Point&)>& ch
 /// Adds the vertices and faces of `other` behind those of `mesh`.
 void append(FlatMesh& mesh, const FlatMesh& other);
 
+/// For each vertex the first one at exactly its place.
+std::vector<std::size_t> first_in_place(const FlatMesh& mesh);
+
+/// The same mesh with faces that refer to the first vertex in each place only: what the library takes it for. The other
+/// vertices stay, without faces.
+FlatMesh welded(FlatMesh mesh);
+
 /// Mean length of the unique edges, |e|. Faces with a repeated vertex are no triangles and are passed over.
 double average_edge_length(const FlatMesh& mesh);
 

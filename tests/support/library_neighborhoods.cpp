@@ -4,8 +4,10 @@
 
 #include <filters/paper/paper_filter.h>
 #include <geodesic_march.h>
+#include <mesh/read_mesh.h>
 #include <triangle_frames.h>
-#include <vcg_core/detail/read_mesh.h>
+#include <vcg_core/detail/job.h>
+#include <vcg_core/mesh/vcglib_view.h>
 
 #include <support/mesh_types.h>
 
@@ -25,7 +27,7 @@ LibraryNeighborhoods::LibraryNeighborhoods(const FlatMesh& mesh) : inside_(std::
   fill(inside_->mesh, mesh);
   const vcg_core::Progress no_progress;
   detail::Job job(no_progress, 1);
-  inside_->arrays = detail::read_mesh(inside_->mesh, job);
+  inside_->arrays = detail::read_mesh(vcg_core::view_of(inside_->mesh), job);
   inside_->index_of = detail::vertex_of_host(inside_->arrays);
   const double e = inside_->arrays.topology.average_edge_length;
   inside_->frames = detail::triangle_frames(inside_->arrays, inside_->arrays.position, e, job);

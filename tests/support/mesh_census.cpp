@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -26,7 +25,9 @@ bool has_area(const FlatMesh& mesh, const Triangle& f) {
 
 }  // namespace
 
-MeshCensus take_census(const FlatMesh& mesh) {
+MeshCensus take_census(const FlatMesh& split) {
+  const FlatMesh mesh = welded(split);
+  const std::vector<std::size_t> first = first_in_place(split);
   MeshCensus census;
   std::map<std::pair<std::size_t, std::size_t>, int> faces_of_edge;
   std::vector<char> has_face(mesh.points.size(), 0);
@@ -45,12 +46,13 @@ MeshCensus take_census(const FlatMesh& mesh) {
       if (faces == 1) border[v] = 1;
       if (faces > 2) non_manifold[v] = 1;
     }
-  std::map<std::tuple<double, double, double>, std::size_t> vertices_at;
-  for (const Point& p : mesh.points) ++vertices_at[{p[0], p[1], p[2]}];
-  for (const auto& [place, vertices] : vertices_at)
-    if (vertices > 1) census.coincident += vertices;
-  const auto count = [](const std::vector<char>& marks, char mark) {
-    return static_cast<std::size_t>(std::count(marks.begin(), marks.end(), mark));
+  std::vector<std::size_t> copies(mesh.points.size(), 0);
+  for (const std::size_t v : first) ++copies[v];
+  for (const std::size_t n : copies)
+    if (n > 1) census.coincident += n;
+  const auto count = [&](const std::vector<char>& marks, char mark) {
+    return static_cast<std::size_t>(
+        std::count_if(first.begin(), first.end(), [&](std::size_t v) { return marks[v] == mark; }));
   };
   census.isolated = count(has_face, 0);
   census.border = count(border, 1);

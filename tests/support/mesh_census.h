@@ -7,6 +7,7 @@
 namespace test_support {
 
 /// What SmoothingReport says of a mesh before anything is smoothed, counted anew with maps and in long double.
+/// Vertices at the same place are one vertex and count each.
 struct MeshCensus {
   std::size_t isolated = 0;
   std::size_t border = 0;

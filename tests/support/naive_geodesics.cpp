@@ -48,9 +48,11 @@ double naive_virtual_start(const Point& apex, const Point& v_1, double d_1, cons
   return (apex - v_s).Norm();      // figure 3
 }
 
-std::vector<double> naive_geodesics(const FlatMesh& mesh, std::size_t source, double gain, double reach) {
+std::vector<double> naive_geodesics(const FlatMesh& split, std::size_t source, double gain, double reach) {
+  const FlatMesh mesh = welded(split);
+  const std::vector<std::size_t> first = first_in_place(split);
   std::vector<double> distance(mesh.points.size(), std::numeric_limits<double>::infinity());
-  distance[source] = 0;
+  distance[first[source]] = 0;
   bool improved = true;
   while (improved) {
     improved = false;
@@ -74,6 +76,7 @@ std::vector<double> naive_geodesics(const FlatMesh& mesh, std::size_t source, do
       }
     }
   }
+  for (std::size_t v = 0; v < distance.size(); ++v) distance[v] = distance[first[v]];
   return distance;
 }
 

@@ -13,8 +13,8 @@ namespace test_support {
 double naive_virtual_start(const Point& apex, const Point& v_1, double d_1, const Point& v_2, double d_2);
 
 /// Distances from `source` along edges and by the three-case rule: all faces are swept again and again until none
-/// improves a vertex by more than `gain` (a length). Infinity where nothing leads. Slow, and independent of the
-/// library's fast marching, its order of work and its cut-off.
+/// improves a vertex by more than `gain` (a length). Vertices at the same place are one. Infinity where nothing leads.
+/// Slow, and independent of the library's fast marching, its order of work and its cut-off.
 /// @param reach  vertices farther than this pass nothing on, which saves time on large meshes
 std::vector<double> naive_geodesics(const FlatMesh& mesh, std::size_t source, double gain,
                                     double reach = std::numeric_limits<double>::infinity());

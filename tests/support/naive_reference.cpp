@@ -57,10 +57,15 @@ double printed_gaussian(double x, double sigma) { return std::exp(-x * x / (sigm
 }  // namespace
 
 NaiveReference::NaiveReference(const FlatMesh& mesh, double reach)
-    : NaiveReference(mesh, reach, test_support::average_edge_length(mesh)) {}
+    : NaiveReference(mesh, reach, test_support::average_edge_length(welded(mesh))) {}
 
 NaiveReference::NaiveReference(const FlatMesh& mesh, double reach, double e)
-    : mesh_(mesh), e_(e), reach_(reach * e), normal_(vertex_normals(mesh)), border_(border_vertices(mesh)) {}
+    : mesh_(welded(mesh)),
+      first_(first_in_place(mesh)),
+      e_(e),
+      reach_(reach * e),
+      normal_(vertex_normals(mesh_)),
+      border_(border_vertices(mesh_)) {}
 
 std::vector<double> NaiveReference::distances(std::size_t i) const {
   return naive_geodesics(mesh_, i, 1e-12 * e_, reach_);
@@ -71,6 +76,7 @@ NaiveVertex NaiveReference::smooth(std::size_t i, const vcg_core::SmoothingParam
   const double sigma_s = parameters.sigma_s * e_;
   const double sigma_n = parameters.sigma_n;
   const double rho = parameters.rho * sigma_c;
+  i = first_[i];
   const bool printed = parameters.gaussian == vcg_core::GaussianForm::printed;
   const auto w_c = [&](double x) { return printed ? printed_gaussian(x, sigma_c) : gaussian(x, sigma_c); };
   const auto w_s = [&](double x) { return printed ? printed_gaussian(x, sigma_s) : gaussian(x, sigma_s); };
@@ -84,7 +90,7 @@ NaiveVertex NaiveReference::smooth(std::size_t i, const vcg_core::SmoothingParam
   double denominator = 0;
   for (std::size_t j = 0; j < mesh_.points.size(); ++j) {
     result.clearance = std::min(result.clearance, std::abs(distance[j] - rho) / e_);
-    if (!(distance[j] < rho)) continue;
+    if (!(distance[j] < rho) || first_[j] != j) continue;
     result.neighborhood.push_back(j);
     if (normal_[j] == Point(0, 0, 0)) continue;  // has no height to offer
     const Point difference = mesh_.points[i] - mesh_.points[j];
@@ -99,7 +105,7 @@ NaiveVertex NaiveReference::smooth(std::size_t i, const vcg_core::SmoothingParam
 }
 
 FlatMesh naive_smooth(FlatMesh mesh, const vcg_core::SmoothingParameters& parameters, int passes) {
-  const double e = average_edge_length(mesh);
+  const double e = average_edge_length(welded(mesh));
   for (int pass = 0; pass < passes; ++pass) {
     const FlatMesh before = mesh;
     const NaiveReference reference(before, std::numeric_limits<double>::infinity(), e);

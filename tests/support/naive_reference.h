@@ -18,7 +18,7 @@ struct NaiveVertex {
 
 /// The paper's filter straight from its formulas (section 4.2's N(v_i), section 6's d_i) and from the decisions where
 /// the paper is silent: no lists, no order, no arrays shared with the library. Each vertex costs sweeps over the whole
-/// mesh. One pass.
+/// mesh. Vertices at the same place are one: the first of them, which alone is in neighbourhoods. One pass.
 class NaiveReference {
  public:
   /// @param reach  as in naive_geodesics, in |e|
@@ -26,9 +26,9 @@ class NaiveReference {
   explicit NaiveReference(const FlatMesh& mesh, double reach = std::numeric_limits<double>::infinity());
   NaiveReference(const FlatMesh& mesh, double reach, double e);
 
-  const Point& normal(std::size_t i) const { return normal_[i]; }
+  const Point& normal(std::size_t i) const { return normal_[first_[i]]; }
   double average_edge_length() const { return e_; }
-  bool on_border(std::size_t i) const { return border_[i]; }
+  bool on_border(std::size_t i) const { return border_[first_[i]]; }
 
   /// Section 4.1's distances from v_i, in the mesh's unit.
   std::vector<double> distances(std::size_t i) const;
@@ -37,7 +37,8 @@ class NaiveReference {
   NaiveVertex smooth(std::size_t i, const vcg_core::SmoothingParameters& parameters) const;
 
  private:
-  const FlatMesh& mesh_;
+  FlatMesh mesh_;                   ///< welded
+  std::vector<std::size_t> first_;  ///< of the vertices in the place of each
   double e_;
   double reach_;
   std::vector<Point> normal_;  ///< of unit length, or zero where undefined

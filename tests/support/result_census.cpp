@@ -28,7 +28,9 @@ LongPoint normal(const FlatMesh& mesh, const Triangle& f) {
 
 }  // namespace
 
-ResultCensus take_census(const FlatMesh& before, const FlatMesh& after) {
+ResultCensus take_census(const FlatMesh& split, const FlatMesh& after) {
+  const FlatMesh before = welded(split);
+  const std::vector<std::size_t> first = first_in_place(split);
   ResultCensus census;
   std::vector<long double> longest(before.points.size(), -1);
   for (const Triangle& f : before.faces) {
@@ -43,10 +45,10 @@ ResultCensus take_census(const FlatMesh& before, const FlatMesh& after) {
   }
   const long double e = average_edge_length(before);
   for (std::size_t v = 0; v < before.points.size(); ++v) {
-    if (longest[v] < 0) continue;  // no face
+    if (longest[first[v]] < 0) continue;  // no face
     const long double moved = length(LongPoint::Construct(after.points[v]) - LongPoint::Construct(before.points[v]));
     census.far_moved_vertices += moved > 2 * e;
-    census.beyond_ring_vertices += moved > longest[v];
+    census.beyond_ring_vertices += moved > longest[first[v]];
   }
   return census;
 }

@@ -1,4 +1,4 @@
-#include <vcg_core/detail/geodesic_field.h>
+#include "geodesic_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,8 +37,10 @@ std::vector<double> geodesic_field(const MeshArrays& mesh, std::size_t host_sour
   job.finish();
 
   std::vector<double> distance(mesh.host_vertex_count, std::numeric_limits<double>::infinity());
-  for (const Index v : march.reached())
-    distance[mesh.host_vertex[v]] = static_cast<double>(std::ldexp(march.distance(v), -mesh.exponent));
+  for (const Index v : march.reached()) {
+    const auto to_v = static_cast<double>(std::ldexp(march.distance(v), -mesh.exponent));
+    for (std::size_t k = mesh.first_copy(v); k < mesh.first_copy(v + 1); ++k) distance[mesh.host_vertex[k]] = to_v;
+  }
   return distance;
 }
 

@@ -7,6 +7,7 @@
 #include <vcg_core/detail/job.h>
 #include <vcg_core/errors.h>
 
+#include "mesh/weld.h"
 #include "mesh_topology.h"
 #include "spatial_order.h"
 
@@ -20,27 +21,31 @@ void require_at_most(std::size_t most, std::size_t count, const char* elements) 
                       " can be smoothed or measured in one piece");
 }
 
-template <class T>
-void permute(Array<T>& values, const Array<Index>& order, Job& job) {
-  Array<T> permuted(values.size());
-  job.serial(order.size(), [&](std::size_t i) { permuted[i] = values[order[i]]; });
-  values.swap(permuted);
+/// Renames the vertices of the faces.
+/// @param index_of  the new index of each vertex
+Array<std::array<Index, 3>> renamed(const Array<std::array<Index, 3>>& faces, const Array<Index>& index_of, Job& job) {
+  Array<std::array<Index, 3>> result(faces.size());
+  job.serial(faces.size(), [&](std::size_t f) {
+    for (int k = 0; k < 3; ++k) result[f][k] = index_of[faces[f][k]];
+  });
+  return result;
 }
 
-/// Puts the faces in the order of their lowest vertex, by counting; renames their vertices first.
-void permute_faces(Array<std::array<Index, 3>>& faces, const Array<Index>& order, Job& job) {
-  Array<Index> new_index(order.size());
-  job.serial(order.size(), [&](std::size_t i) { new_index[order[i]] = static_cast<Index>(i); });
-  Array<Index> begin(order.size() + 1, 0);
-  const auto lowest = [](const std::array<Index, 3>& f) { return std::min({f[0], f[1], f[2]}); };
-  job.serial(faces.size(), [&](std::size_t f) {
-    for (Index& v : faces[f]) v = new_index[v];
-    ++begin[lowest(faces[f]) + 1];
+/// Puts the faces in the order of their lowest vertex, by counting, and their corners' copies with them.
+void sort_faces(MeshArrays& mesh, Job& job) {
+  Array<Index> begin(mesh.size() + 1, 0);
+  const auto lowest = [&](std::size_t f) { return std::min({mesh.face[f][0], mesh.face[f][1], mesh.face[f][2]}); };
+  job.serial(mesh.face.size(), [&](std::size_t f) { ++begin[lowest(f) + 1]; });
+  job.serial(mesh.size(), [&](std::size_t v) { begin[v + 1] += begin[v]; });
+  Array<std::array<Index, 3>> face(mesh.face.size());
+  Array<std::array<Index, 3>> corner_copy(mesh.corner_copy.size());
+  job.serial(mesh.face.size(), [&](std::size_t f) {
+    const Index to = begin[lowest(f)]++;
+    face[to] = mesh.face[f];
+    if (!corner_copy.empty()) corner_copy[to] = mesh.corner_copy[f];
   });
-  job.serial(order.size(), [&](std::size_t i) { begin[i + 1] += begin[i]; });
-  Array<std::array<Index, 3>> permuted(faces.size());
-  job.serial(faces.size(), [&](std::size_t f) { permuted[begin[lowest(faces[f])]++] = faces[f]; });
-  faces.swap(permuted);
+  mesh.face.swap(face);
+  mesh.corner_copy.swap(corner_copy);
 }
 
 }  // namespace
@@ -50,26 +55,36 @@ void require_countable(std::size_t vertices, std::size_t faces) {
   require_at_most(most_elements, faces, "faces");
 }
 
-MeshArrays make_mesh_arrays(RawMesh raw, Job& job) {
+MeshArrays make_mesh_arrays(RawMesh raw, Job& job, const ReadOptions& options) {
   MeshArrays mesh;
   static_cast<RawMesh&>(mesh) = std::move(raw);
   {
-    const SpatialOrder spatial = morton_order(mesh.position, job);
+    const Array<Index> order = morton_order(mesh.position, job).order;
     job.report(0.3);
-    mesh.coincident_vertices = count_coincident(mesh.position, spatial, job);
-    permute(mesh.position, spatial.order, job);
-    permute(mesh.host_vertex, spatial.order, job);
-    permute(mesh.selected, spatial.order, job);
-    permute_faces(mesh.face, spatial.order, job);
+    const Welding welding = weld(mesh.position, order, options.weld_distance, job);
+    const Array<Index> by_vertex = reorder_vertices(mesh, order, welding, job);
+    Array<Index> index_of(order.size());
+    if (options.corner_copies && !mesh.copy_begin.empty()) {
+      job.serial(order.size(), [&](std::size_t k) { index_of[by_vertex[k]] = static_cast<Index>(k); });
+      mesh.corner_copy = renamed(mesh.face, index_of, job);
+    }
+    job.serial(order.size(), [&](std::size_t i) { index_of[order[i]] = welding.vertex[i]; });
+    mesh.face = renamed(mesh.face, index_of, job);
+    sort_faces(mesh, job);
     job.report(0.5);
   }
+  if (!mesh.copy_begin.empty())
+    job.serial(mesh.size(),
+               [&](std::size_t v) { mesh.coincident_vertices += mesh.copies(v) > 1 ? mesh.copies(v) : 0; });
   mesh.topology = find_topology(mesh, job);
   return mesh;
 }
 
 Array<Index> vertex_of_host(const MeshArrays& mesh) {
   Array<Index> result(mesh.host_vertex_count, static_cast<Index>(mesh.size()));
-  for (std::size_t i = 0; i < mesh.size(); ++i) result[mesh.host_vertex[i]] = static_cast<Index>(i);
+  for (std::size_t v = 0; v < mesh.size(); ++v)
+    for (std::size_t k = mesh.first_copy(v); k < mesh.first_copy(v + 1); ++k)
+      result[mesh.host_vertex[k]] = static_cast<Index>(v);
   return result;
 }
 

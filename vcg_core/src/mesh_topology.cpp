@@ -138,8 +138,8 @@ MeshTopology find_topology(const RawMesh& mesh, Job& job) {
   topology.border.resize(n);
   job.serial(n, [&](std::size_t v) {
     topology.border[v] = (kind[v] & on_border) != 0;
-    topology.border_vertices += topology.border[v];
-    topology.non_manifold_vertices += (kind[v] & non_manifold) != 0;
+    if (topology.border[v]) topology.border_vertices += mesh.copies(v);
+    if (kind[v] & non_manifold) topology.non_manifold_vertices += mesh.copies(v);
   });
   job.serial(mesh.face.size(), [&](std::size_t f) { topology.degenerate_faces += is_degenerate(mesh, mesh.face[f]); });
   return topology;

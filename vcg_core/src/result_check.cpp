@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <vcg_core/detail/job.h>
-#include <vcg_core/detail/power_of_two.h>
+#include "power_of_two.h"
 
 #include "face_area.h"
 
@@ -46,8 +46,8 @@ class VertexCheck {
     counts.largest_coordinate = std::max(counts.largest_coordinate, mesh_.position[v].cwiseAbs().maxCoeff());
     const double step = (position_[v] - mesh_.position[v]).squaredNorm();
     const double limit = 2 * topology.average_edge_length;
-    counts.far_moved += step > limit * limit;
-    counts.beyond_ring += step > 0 && is_beyond_ring(v, step);
+    if (step > limit * limit) counts.far_moved += mesh_.copies(v);
+    if (step > 0 && is_beyond_ring(v, step)) counts.beyond_ring += mesh_.copies(v);
     if (!topology.border_vertices && !topology.non_manifold_vertices)
       counts.opposed = counts.opposed || has_repeated_successor(begin, end);
   }

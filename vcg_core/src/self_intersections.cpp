@@ -3,8 +3,8 @@
 
 #include <Eigen/Geometry>
 
-#include <vcg_core/detail/count_intersections.h>
 #include <vcg_core/detail/job.h>
+#include "count_intersections.h"
 
 #include "face_crossing.h"
 

@@ -1,14 +1,15 @@
-#include <vcg_core/detail/smooth_arrays.h>
+#include "smooth_arrays.h"
 
 #include <cmath>
 #include <string>
 #include <utility>
 
-#include <vcg_core/detail/count_intersections.h>
 #include <vcg_core/detail/job.h>
 
 #include "copy_positions.h"
+#include "count_intersections.h"
 #include "filters/catalogue.h"
+#include "hold_back.h"
 #include "result_check.h"
 #include "vertex_normals.h"
 #include "volume.h"
@@ -24,10 +25,10 @@ Array<std::uint8_t> find_movable(const MeshArrays& mesh, const SmoothingParamete
   Array<std::uint8_t> movable(mesh.size());
   job.serial(mesh.size(), [&](std::size_t i) {
     const bool held = (parameters.boundary == Boundary::fixed && topology.border[i]) ||
-                      (parameters.selected_only && !mesh.selected[i]);
+                      (parameters.selected_only && !mesh.selected[i]) || (!mesh.weight.empty() && mesh.weight[i] == 0);
     const bool isolated = topology.star_begin[i] == topology.star_begin[i + 1];
-    report.fixed_vertices += held;
-    report.skipped_vertices.isolated += !held && isolated;
+    if (held) report.fixed_vertices += mesh.copies(i);
+    if (!held && isolated) report.skipped_vertices.isolated += mesh.copies(i);
     movable[i] = !held && !isolated;
   });
   return movable;
@@ -40,7 +41,7 @@ void describe_mesh(const MeshArrays& mesh, const MethodInfo& method, const Smoot
   if (method.uses(&SmoothingParameters::sigma_c)) report.sigma_c_length = parameters.sigma_c * e;
   if (method.uses(&SmoothingParameters::sigma_s)) report.sigma_s_length = parameters.sigma_s * e;
   if (method.uses(&SmoothingParameters::rho)) report.rho_length = parameters.rho * parameters.sigma_c * e;
-  report.vertices = mesh.size();
+  report.vertices = mesh.host_vertex.size();
   report.border_vertices = mesh.topology.border_vertices;
   report.non_manifold_vertices = mesh.topology.non_manifold_vertices;
   report.coincident_vertices = mesh.coincident_vertices;
@@ -49,8 +50,16 @@ void describe_mesh(const MeshArrays& mesh, const MethodInfo& method, const Smoot
 
 void count_undefined_normals(const MeshArrays& mesh, const Array<Vec3>& normal, const Array<std::uint8_t>& movable,
                              SmoothingReport& report, Job& job) {
-  job.serial(mesh.size(),
-             [&](std::size_t i) { report.skipped_vertices.undefined_normal += movable[i] && normal[i].isZero(0); });
+  job.serial(mesh.size(), [&](std::size_t i) {
+    if (movable[i] && normal[i].isZero(0)) report.skipped_vertices.undefined_normal += mesh.copies(i);
+  });
+}
+
+/// Adds the marks of one pass to those of all.
+void add_marks(const Array<std::uint8_t>& marks, Array<std::uint8_t>& all, Job& job) {
+  if (marks.empty()) return;
+  all.resize(marks.size(), 0);
+  job.serial(marks.size(), [&](std::size_t v) { all[v] |= marks[v]; });
 }
 
 }  // namespace
@@ -60,7 +69,7 @@ bool smooths_attributes(Method method, const SmoothingParameters& parameters) {
 }
 
 SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const SmoothingParameters& parameters,
-                              VertexAttributes& attributes, Job& job) {
+                              const SmoothingLimits& limits, VertexAttributes& attributes, Job& job) {
   const Filter& filter = filter_of(method);
   SmoothingResult result;
   describe_mesh(mesh, filter.info, parameters, result.report);
@@ -68,6 +77,7 @@ SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const Smoot
 
   const FilterPass run_pass = filter.make_pass(parameters);
   result.position = copy_positions(mesh.position, job);
+  Array<std::uint8_t> bounded;
   const int passes = filter.one_pass ? 1 : parameters.iterations;
   for (int pass = 0; pass < passes; ++pass) {
     job.begin_stage("Smoothing", 0.05 + ((parameters.check ? 0.7 : 0.99) - 0.05) * (pass + 1) / passes);
@@ -77,11 +87,14 @@ SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const Smoot
     PassOutput output = run_pass({mesh, result.position, normal, movable, job});
     if (pass == 0) result.report.skipped_vertices.empty_neighbourhood = output.empty_neighbourhoods;
     result.report.approximate_neighbourhoods += output.approximate_neighbourhoods;
-    result.report.bounded_vertices += output.bounded_vertices;
     if (output.estimated_noise) result.report.estimated_noise = std::ldexp(*output.estimated_noise, -mesh.exponent);
     for (std::string& note : output.notes) result.report.notes.push_back(std::move(note));
+    hold_back(mesh, result.position, limits, output, job);
+    add_marks(output.bounded, bounded, job);
     result.position = std::move(output.position);
   }
+  for (std::size_t v = 0; v < bounded.size(); ++v)
+    if (bounded[v]) result.report.bounded_vertices += mesh.copies(v);
 
   if (attributes.channels() > 0) filter.smooth_attributes(mesh, result.position, movable, parameters, attributes, job);
 
@@ -92,12 +105,8 @@ SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const Smoot
     job.begin_stage("Looking for self-intersections", 0.99);
     result.report.self_intersections = count_self_intersections(mesh, result.position, job);
   }
-  const Vec3 apex = bounding_box(mesh.position, job).center();  // the same one before and after
-  const auto volume = [&](const Array<Vec3>& position) {
-    return std::ldexp(signed_volume(mesh, position, apex, job), -3 * mesh.exponent);
-  };
-  result.report.volume_before = volume(mesh.position);
-  result.report.volume_after = volume(result.position);
+  result.report.volume_before = volume_over_center(mesh, mesh.position, job);
+  result.report.volume_after = volume_over_center(mesh, result.position, job);
   return result;
 }
 

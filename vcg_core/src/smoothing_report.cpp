@@ -22,10 +22,6 @@ std::string percent(double part, double whole) { return digits(100 * part / whol
 std::string vertices_text(std::size_t n) { return std::to_string(n) + (n == 1 ? " vertex" : " vertices"); }
 
 void describe_mesh(const SmoothingReport& report, Sentences& sentences) {
-  if (report.coincident_vertices > 0)
-    sentences.push_back(std::to_string(report.coincident_vertices) +
-                        " vertices lie at exactly the place of another one, so faces that should be neighbours may not"
-                        " be connected; run MeshLab's \"Merge Close Vertices\" first");
   const SkippedVertices& skipped = report.skipped_vertices;
   if (skipped.isolated > 0)
     sentences.push_back(std::to_string(skipped.isolated) + " vertices belong to no face and stay in place");

@@ -43,42 +43,35 @@ Array<std::uint64_t> morton_codes(const Array<Vec3>& position, Job& job) {
   return codes;
 }
 
+/// Sorts each run of equal codes by coordinates and index.
+void sort_within_codes(const Array<Vec3>& position, SpatialOrder& spatial, Job& job) {
+  std::size_t steps = 0;
+  const auto poll = [&] {
+    if (++steps % 65536 == 0) job.poll();
+  };
+  const auto less = [&](Index a, Index b) {
+    poll();  // all points may lie in one cell
+    const Vec3& p = position[a];
+    const Vec3& q = position[b];
+    return std::tie(p[0], p[1], p[2], a) < std::tie(q[0], q[1], q[2], b);
+  };
+  for (std::size_t begin = 0, end = 0; begin < spatial.code.size(); begin = end) {
+    poll();
+    while (end < spatial.code.size() && spatial.code[end] == spatial.code[begin]) ++end;
+    if (end - begin < 2) continue;
+    const auto first = spatial.order.begin() + static_cast<std::ptrdiff_t>(begin);
+    std::sort(first, first + static_cast<std::ptrdiff_t>(end - begin), less);
+  }
+}
+
 }  // namespace
 
 SpatialOrder morton_order(const Array<Vec3>& position, Job& job) {
   SpatialOrder result{Array<Index>(position.size()), morton_codes(position, job)};
   job.serial(position.size(), [&](std::size_t i) { result.order[i] = static_cast<Index>(i); });
   radix_sort(result.code, result.order, 3 * bits_per_axis, &job);
+  sort_within_codes(position, result, job);
   return result;
-}
-
-std::size_t count_coincident(const Array<Vec3>& position, const SpatialOrder& order, Job& job) {
-  std::size_t steps = 0;
-  const auto poll = [&] {
-    if (++steps % 65536 == 0) job.poll();
-  };
-  const auto less = [&](Index a, Index b) {
-    poll();  // all vertices may lie in one cell
-    const Vec3& p = position[a];
-    const Vec3& q = position[b];
-    return std::tie(p[0], p[1], p[2]) < std::tie(q[0], q[1], q[2]);
-  };
-  std::size_t count = 0;
-  Array<Index> same_code;
-  for (std::size_t begin = 0, end = 0; begin < order.code.size(); begin = end) {
-    poll();
-    while (end < order.code.size() && order.code[end] == order.code[begin]) ++end;
-    if (end - begin < 2) continue;
-    same_code.assign(order.order.begin() + begin, order.order.begin() + end);
-    std::sort(same_code.begin(), same_code.end(), less);
-    for (std::size_t i = 0; i < same_code.size(); ++i) {
-      const Vec3& p = position[same_code[i]];
-      const bool as_previous = i > 0 && p == position[same_code[i - 1]];
-      const bool as_next = i + 1 < same_code.size() && p == position[same_code[i + 1]];
-      if (as_previous || as_next) ++count;
-    }
-  }
-  return count;
 }
 
 }  // namespace vcg_core::detail

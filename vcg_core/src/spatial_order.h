@@ -12,10 +12,8 @@ struct SpatialOrder {
 };
 
 /// Orders points along a Morton curve through their bounding box: what is close in space comes close in memory.
-/// Equal codes keep their given order.
+/// Points of equal code come in the order of their coordinates, so that points at the same place are next to each other
+/// and nothing depends on how many there are; those keep their given order.
 SpatialOrder morton_order(const Array<Vec3>& position, Job& job);
-
-/// Number of points that lie at exactly the place of another one.
-std::size_t count_coincident(const Array<Vec3>& position, const SpatialOrder& order, Job& job);
 
 }  // namespace vcg_core::detail

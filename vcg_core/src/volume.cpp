@@ -1,5 +1,7 @@
 #include "volume.h"
 
+#include <cmath>
+
 #include <vcg_core/detail/job.h>
 
 namespace vcg_core::detail {
@@ -17,6 +19,11 @@ double signed_volume(const MeshArrays& mesh, const Array<Vec3>& position, const 
     sum += (position[f[0]] - apex).dot((position[f[1]] - apex).cross(position[f[2]] - apex));
   });
   return sum / 6;
+}
+
+double volume_over_center(const MeshArrays& mesh, const Array<Vec3>& position, Job& job) {
+  const Vec3 apex = bounding_box(mesh.position, job).center();
+  return std::ldexp(signed_volume(mesh, position, apex, job), -3 * mesh.exponent);
 }
 
 }  // namespace vcg_core::detail

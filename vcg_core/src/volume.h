@@ -13,4 +13,7 @@ Eigen::AlignedBox3d bounding_box(const Array<Vec3>& position, Job& job);
 /// enclosed volume, whatever the apex; one near the mesh keeps rounding small. In cubes of the unit of `position`.
 double signed_volume(const MeshArrays& mesh, const Array<Vec3>& position, const Vec3& apex, Job& job);
 
+/// The same with the centre of the mesh's box as apex, wherever the faces are now, and in the caller's unit.
+double volume_over_center(const MeshArrays& mesh, const Array<Vec3>& position, Job& job);
+
 }  // namespace vcg_core::detail

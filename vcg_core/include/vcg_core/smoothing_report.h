@@ -38,8 +38,10 @@ struct SmoothingReport {
 
   std::size_t border_vertices = 0;        ///< on an edge with one face
   std::size_t non_manifold_vertices = 0;  ///< on an edge with three or more faces
-  std::size_t coincident_vertices = 0;    ///< at exactly the place of another vertex
-  std::size_t degenerate_faces = 0;       ///< with a repeated vertex or without area
+  /// At exactly the place of another vertex, or within SmoothingLimits::weld_distance of it: they are one vertex of the
+  /// surface and move as one. All counts of vertices count each of them.
+  std::size_t coincident_vertices = 0;
+  std::size_t degenerate_faces = 0;  ///< with a repeated vertex or without area
 
   std::size_t faces = 0;  ///< faces of the mesh that are not deleted
   /// Faces whose normal points to the other side than before (its product with the old one is negative). Faces without

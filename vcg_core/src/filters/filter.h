@@ -27,11 +27,11 @@ struct PassInput {
 /// What it gives back.
 struct PassOutput {
   Array<Vec3> position;                  ///< the new positions; unchanged where a vertex does not move
-  std::size_t empty_neighbourhoods = 0;  ///< movable vertices that had nothing to be smoothed by
-  /// Movable vertices whose distances were cut short, as they would have cost out of all proportion: a distance may be
-  /// too large, and a neighbour near the cut-off missing.
+  std::size_t empty_neighbourhoods = 0;  ///< movable vertices (copies) that had nothing to be smoothed by
+  /// Movable vertices (copies) whose distances were cut short, as they would have cost out of all proportion: a
+  /// distance may be too large, and a neighbour near the cut-off missing.
   std::size_t approximate_neighbourhoods = 0;
-  std::size_t bounded_vertices = 0;            ///< vertices that were held back, as SmoothingReport has it
+  Array<std::uint8_t> bounded = {};            ///< whether each vertex was held back; empty: none was
   std::vector<std::string> notes = {};         ///< sentences for the user, as SmoothingReport has it
   std::optional<double> estimated_noise = {};  ///< standard deviation, in units of MeshArrays::position
 };

@@ -55,17 +55,20 @@ Array<double> displacement_limits(const MeshArrays& mesh, const Array<double>& n
   return limit;
 }
 
+bool limit_displacement(const Vec3& from, double limit, Vec3& position) {
+  const Vec3 displacement = position - from;
+  const double length = displacement.norm();
+  if (length <= limit) return false;
+  position = limit > 0 ? Vec3(from + displacement * (limit / length)) : from;
+  return true;
+}
+
 void limit_displacements(const Array<Vec3>& from, const Array<double>& limit, Array<Vec3>& position,
                          Array<std::uint8_t>& bounded, Job& job) {
   job.parallel(from.size(), grain, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
-      for (std::size_t v = chunks.begin(); v < chunks.end(); ++v) {
-        const Vec3 displacement = position[v] - from[v];
-        const double length = displacement.norm();
-        if (length <= limit[v]) continue;
-        position[v] = limit[v] > 0 ? Vec3(from[v] + displacement * (limit[v] / length)) : from[v];
-        bounded[v] = 1;
-      }
+      for (std::size_t v = chunks.begin(); v < chunks.end(); ++v)
+        if (limit_displacement(from[v], limit[v], position[v])) bounded[v] = 1;
   });
 }
 

@@ -11,6 +11,9 @@ namespace vcg_core::detail {
 /// and no farther than its longest edge.
 Array<double> displacement_limits(const MeshArrays& mesh, const Array<double>& noise, double deviations, Job& job);
 
+/// Takes a position back to within `limit` of `from`; whether it had to.
+bool limit_displacement(const Vec3& from, double limit, Vec3& position);
+
 /// Shortens displacements from `from` to `position` that exceed their limits; marks their vertices in `bounded`.
 void limit_displacements(const Array<Vec3>& from, const Array<double>& limit, Array<Vec3>& position,
                          Array<std::uint8_t>& bounded, Job& job);

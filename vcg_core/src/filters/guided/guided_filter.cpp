@@ -80,7 +80,7 @@ class GuidedRun {
     limit_displacements(in_.position, limit, position_, bounded, job_);
     keep_faces_upright(in_.mesh, in_.position, normal_, limit, position_, bounded, job_);
     PassOutput output{std::move(position_)};
-    output.bounded_vertices = static_cast<std::size_t>(std::count(bounded.begin(), bounded.end(), 1));
+    output.bounded = std::move(bounded);
     output.estimated_noise = estimate_.mean;
     if (estimate_.evidence < little_evidence)
       output.notes.push_back("noise can be told from shape around " + in_percent(estimate_.evidence) +

@@ -125,7 +125,7 @@ PassOutput jones_pass(const PassInput& in, const BilateralParameters& parameters
         if (sum_of_weights > 0)
           out.position[i] += sum / sum_of_weights * unit;
         else
-          ++empty;
+          empty += in.mesh.copies(i);
       }
   });
   out.empty_neighbourhoods = empty;

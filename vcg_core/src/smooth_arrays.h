@@ -1,10 +1,12 @@
 #pragma once
 
 #include <vcg_core/detail/mesh_arrays.h>
-#include <vcg_core/detail/vertex_attributes.h>
 #include <vcg_core/method.h>
+#include <vcg_core/smoothing_limits.h>
 #include <vcg_core/smoothing_parameters.h>
 #include <vcg_core/smoothing_report.h>
+
+#include "mesh/vertex_attributes.h"
 
 namespace vcg_core::detail {
 
@@ -19,8 +21,9 @@ struct SmoothingResult {
 bool smooths_attributes(Method method, const SmoothingParameters& parameters);
 
 /// Runs a smoothing filter on the arrays; the mesh they came from is not touched.
+/// @param limits      but for weld_distance, which is read_mesh()'s
 /// @param attributes  smoothed as well if there are any
 SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const SmoothingParameters& parameters,
-                              VertexAttributes& attributes, Job& job);
+                              const SmoothingLimits& limits, VertexAttributes& attributes, Job& job);
 
 }  // namespace vcg_core::detail
