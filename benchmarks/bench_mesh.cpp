@@ -80,7 +80,7 @@ std::size_t count_pairs(const Arrays& arrays, double rho) {
   const SourceGroups groups = group_sources(arrays.mesh, kernel.lanes, job);
   const LaneMesh lanes{arrays.mesh, ring, groups, arrays.mesh.position, arrays.normal};
   PatchBuilder builder(lanes, kernel);
-  vcg_core::SmoothingParameters wanted;
+  vcg_core::PaperParameters wanted;
   wanted.sigma_c = rho / wanted.rho;
   const LaneParameters parameters = lane_parameters(wanted);
   const LanePoll no_poll = [](void*) {};
