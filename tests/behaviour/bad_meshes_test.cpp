@@ -57,6 +57,8 @@ void expect_warnings(const SmoothingReport& report) {
     return std::any_of(warnings.begin(), warnings.end(),
                        [&](const std::string& sentence) { return sentence.find(part) != std::string::npos; });
   };
+  EXPECT_EQ(has("--weld-distance"),
+            report.nearly_coincident_vertices > 0 && 10 * report.nearly_coincident_vertices >= report.border_vertices);
   EXPECT_EQ(has("belong to no face"), report.skipped_vertices.isolated > 0);
   EXPECT_EQ(has("have no defined normal"), report.skipped_vertices.undefined_normal > 0);
 }

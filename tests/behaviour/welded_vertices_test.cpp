@@ -230,6 +230,53 @@ TEST(WeldDistance, JoinsWhatIsNearlyAtTheSamePlace) {
   }
 }
 
+/// The value of --weld-distance that a warning names; 0 if none does.
+double distance_named(const SmoothingReport& report) {
+  for (const std::string& sentence : report.warnings()) {
+    const std::string option = "--weld-distance ";
+    const std::size_t place = sentence.find(option);
+    if (place != std::string::npos) return std::stod(sentence.substr(place + option.size()));
+  }
+  return 0;
+}
+
+TEST(WeldDistance, IsNamedByAWarningWhereItWouldCloseTheSurface) {
+  const FlatMesh shape = noisy_shape("cad_part", 400);
+  for (const double gap : {1e-7, 3e-6, 1e-5}) {
+    for (const bool soup : {true, false}) {
+      SplitMesh torn = split(shape, soup ? single_faces(shape) : random_charts(shape, 5, 1), 5);
+      std::mt19937 random(1);
+      std::uniform_real_distribution<double> offset(-gap / 4, gap / 4);
+      for (Point& p : torn.mesh.points) p += Point(offset(random), offset(random), offset(random));
+      Packed<double> packed(torn.mesh);
+      SmoothingLimits limits;
+      const SmoothingReport report = smooth(packed.view(), Method::paper, {}, {}, limits);
+      EXPECT_EQ(report.nearly_coincident_vertices, report.border_vertices);
+      limits.weld_distance = distance_named(report);
+      ASSERT_GT(limits.weld_distance, 0);
+      EXPECT_LT(limits.weld_distance, 2 * gap);
+      Packed<double> again(torn.mesh);
+      const SmoothingReport joined = smooth(again.view(), Method::paper, {}, {}, limits);
+      EXPECT_TRUE(joined.closed);
+      EXPECT_EQ(joined.nearly_coincident_vertices, 0u);
+      EXPECT_EQ(distance_named(joined), 0);
+    }
+  }
+}
+
+// Borders as they are meant to be: far from each other, or of fine parts whose edges are short.
+TEST(WeldDistance, IsNotNamedForOrdinaryBorders) {
+  FlatMesh fine =
+      transformed(height_field(20, [](double x, double y) { return x * y; }), [](const Point& p) { return p * 1e-7; });
+  append(fine, noisy_shape("plane_delaunay", 400));
+  for (const FlatMesh& shape : {noisy_shape("plane_delaunay", 400), noisy_shape("thin_sheets", 400), fine}) {
+    Packed<double> packed(shape);
+    const SmoothingReport report = smooth(packed.view(), Method::bmd);
+    EXPECT_GT(report.border_vertices, 0u);
+    EXPECT_EQ(distance_named(report), 0);
+  }
+}
+
 TEST(WeldDistance, DoesNotDependOnTheOrderOfTheCopies) {
   const FlatMesh shape = noisy_shape("sphere", 300);
   const SplitMesh soup = jittered_soup(shape, 1e-3);

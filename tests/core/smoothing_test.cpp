@@ -22,7 +22,7 @@ using vcg_core::SmoothingParameters;
 template <class Mesh>
 class SmoothingOf : public testing::Test {};
 
-using Meshes = testing::Types<BareMesh, DoubleMesh, FloatMesh, RichMesh, OcfMesh, mesh_tools::Mesh, mesh_tools::MeshF>;
+using Meshes = testing::Types<BareMesh, DoubleMesh, FloatMesh, RichMesh, OcfMesh, mesh_tools::Mesh>;
 TYPED_TEST_SUITE(SmoothingOf, Meshes);
 
 /// A mesh's own shape: what is left of `shape` after its coordinates were stored.
@@ -59,7 +59,7 @@ TYPED_TEST(SmoothingOf, TakesMeshesWithBorders) {
 template <class Mesh>
 class SmoothingWithFlagsOf : public testing::Test {};
 
-using MeshesWithFlags = testing::Types<DoubleMesh, FloatMesh, RichMesh, OcfMesh, mesh_tools::Mesh, mesh_tools::MeshF>;
+using MeshesWithFlags = testing::Types<DoubleMesh, FloatMesh, RichMesh, OcfMesh, mesh_tools::Mesh>;
 TYPED_TEST_SUITE(SmoothingWithFlagsOf, MeshesWithFlags);
 
 // Deleted vertices and faces lie before, between and behind the others.

@@ -155,7 +155,7 @@ class Smoothing(unittest.TestCase):
         self.assertIn(f"Warning: {warning}", done.stdout)
         self.assertIn("0 of 12 faces turned over", done.stdout)
 
-    def test_unmerged_mesh_is_warned_about(self):
+    def test_unmerged_mesh_comes_out_as_the_merged_one(self):
         vertex = ply.read(sheets)["vertex"]
         points = list(zip(*(ply.floats(vertex[name]) for name in "xyz")))
         corners = [points[corner] for triangle in ply.triangles(sheets) for corner in triangle]
@@ -163,9 +163,11 @@ class Smoothing(unittest.TestCase):
         ply.write(source, [("vertex", [("x", "float"), ("y", "float"), ("z", "float")], corners),
                            ("face", [("vertex_indices", ("uchar", "int"))],
                             [([i, i + 1, i + 2],) for i in range(0, len(corners), 3)])])
-        done, _ = serve(source, "unmerged_result")
+        done, target = serve(source, "unmerged_result")
         self.assertEqual(done.returncode, 0, done.stdout)
-        self.assertIn("Merge Close Vertices", done.stdout)
+        merged = ply.positions(self.by_command_line(sheets, "merged_tool"))
+        self.assertEqual(ply.positions(target), [merged[corner] for triangle in ply.triangles(sheets)
+                                                 for corner in triangle])
 
 
 class DecimalComma(unittest.TestCase):

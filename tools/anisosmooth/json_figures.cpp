@@ -23,6 +23,7 @@ ordered_json to_json(const vcg_core::SmoothingReport& report) {
                        {"border_vertices", report.border_vertices},
                        {"non_manifold_vertices", report.non_manifold_vertices},
                        {"coincident_vertices", report.coincident_vertices},
+                       {"nearly_coincident_vertices", report.nearly_coincident_vertices},
                        {"degenerate_faces", report.degenerate_faces},
                        {"faces", report.faces},
                        {"flipped_faces", report.flipped_faces},

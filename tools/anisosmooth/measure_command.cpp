@@ -4,9 +4,10 @@
 #include <optional>
 
 #include <mesh_tools/measure.h>
-#include <vcg_core/self_intersections.h>
+#include <vcg_core/mesh/measures.h>
 
 #include "command.h"
+#include "file_view.h"
 #include "json_figures.h"
 #include "mesh_output.h"
 
@@ -46,15 +47,13 @@ void print_table(const mesh_tools::Measurement& figures, std::optional<std::size
 }
 
 /// In the precision of the file, which bounds what counts as a cut.
-std::size_t count_self_intersections(const mesh_tools::MeshFile& file) {
-  if (file.precision == mesh_tools::Precision::double_precision) return vcg_core::count_self_intersections(file.mesh);
-  mesh_tools::MeshF mesh;
-  mesh_tools::to_single_precision(file.mesh, mesh);
-  return vcg_core::count_self_intersections(mesh);
+std::size_t count_self_intersections(mesh_tools::MeshFile& file) {
+  return vcg_core::count_self_intersections(FileView(file).view());
 }
 
 void run(const Options& options) {
-  const mesh_tools::MeshFile result = read_input(options.result), reference = read_input(options.reference);
+  mesh_tools::MeshFile result = read_input(options.result);
+  const mesh_tools::MeshFile reference = read_input(options.reference);
   std::optional<mesh_tools::MeshFile> noisy;
   if (!options.noisy.empty()) noisy.emplace(read_input(options.noisy));
   const mesh_tools::Measurement figures =

@@ -11,6 +11,7 @@
 #include "command.h"
 #include "interrupt.h"
 #include "json_figures.h"
+#include "limit_options.h"
 #include "mesh_output.h"
 #include "parameter_options.h"
 #include "progress_bar.h"
@@ -27,6 +28,7 @@ struct Options {
   std::string input, output, report;
   std::string method = "paper";
   ParameterOptions parameters;
+  LimitOptions limits;
   bool quiet = false;
 };
 
@@ -86,6 +88,7 @@ void run(const Options& options) {
   const MethodInfo& method = chosen_method(options);
   SmoothingParameters parameters = options.parameters.applied_to(method);
   print_warnings(options.parameters.without_effect(method));
+  options.limits.limits.validate();
   mesh_tools::check_writable(options.output);
   check_report_path(options);
   mesh_tools::OriginalFile original;
@@ -96,15 +99,18 @@ void run(const Options& options) {
     if (!options.quiet)
       std::cerr << "the file has a selection: only selected vertices move (--no-selected moves all)\n";
   }
+  std::vector<double> weights = weights_of(options.limits, file, original);
   SmoothingReport report;
   {
     const CooperativeInterrupt scope;
     ProgressBar bar(options.quiet);
-    report = smooth_file(file, method.method, parameters, bar.callback()).report;
+    report =
+        smooth_file(file, method.method, parameters, bar.callback(), options.limits.limits, std::move(weights)).report;
   }
   std::optional<mesh_tools::TextFile> text;
   if (!options.report.empty()) {
     nlohmann::ordered_json json = {{"method", method.name}, {"parameters", to_json(method, parameters)}};
+    add_limits(options.limits, json["parameters"]);
     json.update(to_json(report));
     text = {options.report, json.dump(2) + "\n"};
   }
@@ -127,6 +133,7 @@ std::function<void()> declare_smooth(CLI::App& app) {
   app.add_option("OUT", options->output, "Where the result goes; may be the same file")->required();
   app.add_option("--method", options->method, method_help())->capture_default_str();
   options->parameters.declare(app);
+  declare_limits(app, options->limits);
   app.add_option("--report", options->report, "Also write what was done to this file, as JSON");
   app.add_flag("--quiet", options->quiet, "Print warnings and errors only");
   return [options] { run(*options); };

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <vector>
+
 #include <mesh_tools/mesh_io.h>
 #include <vcg_core/method.h>
 #include <vcg_core/progress.h>
+#include <vcg_core/smoothing_limits.h>
 #include <vcg_core/smoothing_report.h>
 
 namespace anisosmooth {
@@ -12,8 +15,10 @@ struct SmoothedFile {
   double seconds = 0;  ///< from the mesh in memory to the mesh in memory
 };
 
-/// Smooths in the precision of the file, so that the result is bit for bit what a host with that precision gets.
+/// Smooths in the precision of the file.
+/// @param weights  as MeshView has them; empty: all 1
 SmoothedFile smooth_file(mesh_tools::MeshFile& file, vcg_core::Method method,
-                         const vcg_core::SmoothingParameters& parameters, const vcg_core::Progress& progress);
+                         const vcg_core::SmoothingParameters& parameters, const vcg_core::Progress& progress,
+                         const vcg_core::SmoothingLimits& limits = {}, std::vector<double> weights = {});
 
 }  // namespace anisosmooth

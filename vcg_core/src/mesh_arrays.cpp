@@ -7,6 +7,7 @@
 #include <vcg_core/detail/job.h>
 #include <vcg_core/errors.h>
 
+#include "mesh/creases.h"
 #include "mesh/weld.h"
 #include "mesh_topology.h"
 #include "spatial_order.h"
@@ -21,12 +22,14 @@ void require_at_most(std::size_t most, std::size_t count, const char* elements) 
                       " can be smoothed or measured in one piece");
 }
 
-/// Renames the vertices of the faces.
+/// Renames the vertices of faces or edges.
 /// @param index_of  the new index of each vertex
-Array<std::array<Index, 3>> renamed(const Array<std::array<Index, 3>>& faces, const Array<Index>& index_of, Job& job) {
-  Array<std::array<Index, 3>> result(faces.size());
+template <std::size_t corners>
+Array<std::array<Index, corners>> renamed(const Array<std::array<Index, corners>>& faces, const Array<Index>& index_of,
+                                          Job& job) {
+  Array<std::array<Index, corners>> result(faces.size());
   job.serial(faces.size(), [&](std::size_t f) {
-    for (int k = 0; k < 3; ++k) result[f][k] = index_of[faces[f][k]];
+    for (std::size_t k = 0; k < corners; ++k) result[f][k] = index_of[faces[f][k]];
   });
   return result;
 }
@@ -70,6 +73,7 @@ MeshArrays make_mesh_arrays(RawMesh raw, Job& job, const ReadOptions& options) {
     }
     job.serial(order.size(), [&](std::size_t i) { index_of[order[i]] = welding.vertex[i]; });
     mesh.face = renamed(mesh.face, index_of, job);
+    mesh.crease_ends = renamed(mesh.crease_ends, index_of, job);
     sort_faces(mesh, job);
     job.report(0.5);
   }
@@ -77,6 +81,7 @@ MeshArrays make_mesh_arrays(RawMesh raw, Job& job, const ReadOptions& options) {
     job.serial(mesh.size(),
                [&](std::size_t v) { mesh.coincident_vertices += mesh.copies(v) > 1 ? mesh.copies(v) : 0; });
   mesh.topology = find_topology(mesh, job);
+  find_creases(mesh, std::move(mesh.crease_ends), job);
   return mesh;
 }
 

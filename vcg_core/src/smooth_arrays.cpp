@@ -10,6 +10,7 @@
 #include "count_intersections.h"
 #include "filters/catalogue.h"
 #include "hold_back.h"
+#include "mesh/near_borders.h"
 #include "result_check.h"
 #include "vertex_normals.h"
 #include "volume.h"
@@ -35,7 +36,7 @@ Array<std::uint8_t> find_movable(const MeshArrays& mesh, const SmoothingParamete
 }
 
 void describe_mesh(const MeshArrays& mesh, const MethodInfo& method, const SmoothingParameters& parameters,
-                   SmoothingReport& report) {
+                   SmoothingReport& report, Job& job) {
   const double e = std::ldexp(mesh.topology.average_edge_length, -mesh.exponent);
   report.average_edge_length = e;
   if (method.uses(&SmoothingParameters::sigma_c)) report.sigma_c_length = parameters.sigma_c * e;
@@ -46,6 +47,10 @@ void describe_mesh(const MeshArrays& mesh, const MethodInfo& method, const Smoot
   report.non_manifold_vertices = mesh.topology.non_manifold_vertices;
   report.coincident_vertices = mesh.coincident_vertices;
   report.degenerate_faces = mesh.topology.degenerate_faces;
+  report.crease_edges = mesh.topology.crease_edges;
+  const NearBorders near_borders = find_near_borders(mesh, job);
+  report.nearly_coincident_vertices = near_borders.vertices;
+  report.nearly_coincident_distance = std::ldexp(near_borders.distance, -mesh.exponent);
 }
 
 void count_undefined_normals(const MeshArrays& mesh, const Array<Vec3>& normal, const Array<std::uint8_t>& movable,
@@ -72,7 +77,7 @@ SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const Smoot
                               const SmoothingLimits& limits, VertexAttributes& attributes, Job& job) {
   const Filter& filter = filter_of(method);
   SmoothingResult result;
-  describe_mesh(mesh, filter.info, parameters, result.report);
+  describe_mesh(mesh, filter.info, parameters, result.report, job);
   const Array<std::uint8_t> movable = find_movable(mesh, parameters, result.report, job);
 
   const FilterPass run_pass = filter.make_pass(parameters);

@@ -21,7 +21,21 @@ std::string percent(double part, double whole) { return digits(100 * part / whol
 /// "1 vertex" or "2 vertices".
 std::string vertices_text(std::size_t n) { return std::to_string(n) + (n == 1 ? " vertex" : " vertices"); }
 
+/// Two digits that are no less than the length.
+std::string digits_above(double length) {
+  const double unit = std::pow(10, std::floor(std::log10(length)) - 1);
+  return digits(std::ceil(length / unit) * unit);
+}
+
 void describe_mesh(const SmoothingReport& report, Sentences& sentences) {
+  if (report.nearly_coincident_vertices > 0 && 10 * report.nearly_coincident_vertices >= report.border_vertices) {
+    const std::string distance = digits_above(report.nearly_coincident_distance);
+    sentences.push_back(std::to_string(report.nearly_coincident_vertices) + " of " +
+                        vertices_text(report.border_vertices) + " on borders lie within " + distance +
+                        " of another one that they are not connected with, so the surface is torn there; join them by"
+                        " the command line's --weld-distance " +
+                        distance + ", or run MeshLab's \"Merge Close Vertices\" first");
+  }
   const SkippedVertices& skipped = report.skipped_vertices;
   if (skipped.isolated > 0)
     sentences.push_back(std::to_string(skipped.isolated) + " vertices belong to no face and stay in place");

@@ -19,35 +19,6 @@ void Mesh::swap(Mesh& other) noexcept {  // vectors keep their storage when swap
   normalmaps.swap(other.normalmaps);
 }
 
-void to_single_precision(const Mesh& from, MeshF& to) {
-  using Allocator = vcg::tri::Allocator<MeshF>;
-  to.Clear();
-  if (!from.vert.empty()) Allocator::AddVertices(to, from.vert.size());
-  for (std::size_t i = 0; i < from.vert.size(); ++i) {
-    const auto& source = from.vert[i];
-    auto& vertex = to.vert[i];
-    vertex.P().Import(source.cP());
-    vertex.Flags() = source.cFlags();
-    vertex.C() = source.cC();
-    vertex.Q() = static_cast<float>(source.cQ());
-  }
-  if (!from.face.empty()) Allocator::AddFaces(to, from.face.size());
-  for (std::size_t i = 0; i < from.face.size(); ++i) {
-    for (int k = 0; k < 3; ++k) to.face[i].V(k) = &to.vert[vcg::tri::Index(from, from.face[i].cV(k))];
-    to.face[i].Flags() = from.face[i].cFlags();
-  }
-  to.vn = from.vn;
-  to.fn = from.fn;
-}
-
-void take_vertices(const MeshF& from, Mesh& to) {
-  for (std::size_t i = 0; i < from.vert.size(); ++i) {
-    to.vert[i].P().Import(from.vert[i].cP());
-    to.vert[i].C() = from.vert[i].cC();
-    to.vert[i].Q() = from.vert[i].cQ();
-  }
-}
-
 double average_edge_length(const Mesh& mesh) {
   std::vector<std::pair<std::size_t, std::size_t>> edges;
   edges.reserve(3 * mesh.face.size());

@@ -41,7 +41,12 @@ struct SmoothingReport {
   /// At exactly the place of another vertex, or within SmoothingLimits::weld_distance of it: they are one vertex of the
   /// surface and move as one. All counts of vertices count each of them.
   std::size_t coincident_vertices = 0;
-  std::size_t degenerate_faces = 0;  ///< with a repeated vertex or without area
+  /// On a border, and near another vertex of a border: within 1e-5 of the diagonal of the mesh's box, and a tenth of
+  /// its own shortest edge. Most are vertices that ought to be one, but for rounding.
+  std::size_t nearly_coincident_vertices = 0;
+  double nearly_coincident_distance = 0;  ///< the largest between two of those
+  std::size_t degenerate_faces = 0;       ///< with a repeated vertex or without area
+  std::size_t crease_edges = 0;           ///< edges of the mesh that are among MeshView::creases, each once
 
   std::size_t faces = 0;  ///< faces of the mesh that are not deleted
   /// Faces whose normal points to the other side than before (its product with the old one is negative). Faces without
@@ -72,7 +77,8 @@ struct SmoothingReport {
   /// Sentences for the user: about what in the mesh limits the result, and about a result that is not to be trusted,
   /// each with the remedy. The latter: more than 1 % of the faces are flipped; the volume of a closed mesh changed by
   /// more than 5 %; a vertex moved by more than 2 |e| or by more than its longest edge; a face cuts through another;
-  /// coordinate_spacing is more than 1 % of |e|. The notes are among them. Empty if there is nothing to say.
+  /// coordinate_spacing is more than 1 % of |e|; a tenth of the border vertices are nearly coincident. The notes are
+  /// among them. Empty if there is nothing to say.
   std::vector<std::string> warnings() const;
 };
 

@@ -90,6 +90,21 @@ void read_faces(const MeshView& view, const Array<Index>& index_of, RawMesh& raw
   }
 }
 
+/// Copies the creases, and checks them.
+void read_creases(const MeshView& view, const Array<Index>& index_of, RawMesh& raw, Job& job) {
+  raw.crease_ends.reserve(view.crease_count);
+  job.serial(view.crease_count, [&](std::size_t i) {
+    std::array<Index, 2> ends;
+    for (int k = 0; k < 2; ++k) {
+      const std::size_t v = load_index(view.creases, i, k);
+      if (v >= index_of.size() || index_of[v] == deleted_vertex)
+        throw InvalidMesh("crease " + std::to_string(i) + " refers to a vertex that the mesh does not have");
+      ends[static_cast<std::size_t>(k)] = index_of[v];
+    }
+    raw.crease_ends.push_back(ends);
+  });
+}
+
 void require_faces(std::size_t faces) {
   if (faces == 0) throw InvalidMesh("the mesh has no faces; this filter needs a triangle mesh");
 }
@@ -104,6 +119,7 @@ MeshArrays read_mesh(const MeshView& view, Job& job, ReadOptions options) {
   const Array<Index> index_of = read_vertices(view, raw, job);
   read_faces(view, index_of, raw, job);
   require_faces(raw.face.size());
+  read_creases(view, index_of, raw, job);
   options.weld_distance = PowerOfTwo(raw.exponent) * options.weld_distance;
   return make_mesh_arrays(std::move(raw), job, options);
 }

@@ -7,7 +7,6 @@
 namespace mesh_tools {
 
 struct Mesh;
-struct MeshF;
 
 namespace detail {
 
@@ -22,13 +21,6 @@ class VertexD
 class EdgeD : public vcg::Edge<TypesD, vcg::edge::VertexRef, vcg::edge::BitFlags> {};
 class FaceD : public vcg::Face<TypesD, vcg::face::VertexRef, vcg::face::Normal3d, vcg::face::BitFlags,
                                vcg::face::Color4b, vcg::face::Qualityd, vcg::face::WedgeTexCoord2f> {};
-
-class VertexF;
-class FaceF;
-struct TypesF : vcg::UsedTypes<vcg::Use<VertexF>::AsVertexType, vcg::Use<FaceF>::AsFaceType> {};
-class VertexF : public vcg::Vertex<TypesF, vcg::vertex::Coord3f, vcg::vertex::BitFlags, vcg::vertex::Color4b,
-                                   vcg::vertex::Qualityf> {};
-class FaceF : public vcg::Face<TypesF, vcg::face::VertexRef, vcg::face::BitFlags> {};
 
 }  // namespace detail
 
@@ -45,16 +37,6 @@ struct Mesh : vcg::tri::TriMesh<std::vector<detail::VertexD>, std::vector<detail
  private:
   void swap(Mesh& other) noexcept;
 };
-
-/// What the filters look at and change, in single precision, as most files and MeshLab's usual build store it.
-struct MeshF : vcg::tri::TriMesh<std::vector<detail::VertexF>, std::vector<detail::FaceF>> {};
-
-/// Replaces `to` by the vertices and faces of `from`, deleted ones as well, with what MeshF has room for; numbers are
-/// rounded once.
-void to_single_precision(const Mesh& from, MeshF& to);
-
-/// Takes positions, colours and qualities back from the copy that to_single_precision() made of `to`.
-void take_vertices(const MeshF& from, Mesh& to);
 
 /// Average length of the unique edges, |e|; 0 for a mesh without faces. Deleted elements are passed over.
 double average_edge_length(const Mesh& mesh);

@@ -20,11 +20,12 @@ using Index = std::uint32_t;
 struct RawMesh {
   Array<Vec3> position;
   Array<std::array<Index, 3>> face;
-  Array<Index> host_vertex;           ///< the caller's index of each copy; those of a vertex side by side
-  Array<Index> copy_begin;            ///< n + 1 offsets into host_vertex; empty if each vertex has one copy
-  Array<std::uint8_t> selected;       ///< whether a copy of the vertex, or a face of it, is selected
-  Array<double> weight;               ///< how far the vertex follows the filter, from 0 to 1; empty: all 1
-  std::size_t host_vertex_count = 0;  ///< how many vertices the caller has, deleted ones included
+  Array<Index> host_vertex;                 ///< the caller's index of each copy; those of a vertex side by side
+  Array<Index> copy_begin;                  ///< n + 1 offsets into host_vertex; empty if each vertex has one copy
+  Array<std::uint8_t> selected;             ///< whether a copy of the vertex, or a face of it, is selected
+  Array<std::array<Index, 2>> crease_ends;  ///< the vertices of the caller's creases, until they are found as edges
+  Array<double> weight;                     ///< how far the vertex follows the filter, from 0 to 1; empty: all 1
+  std::size_t host_vertex_count = 0;        ///< how many vertices the caller has, deleted ones included
   /// The positions are the caller's times 2^exponent: so that no square over- or underflows, whatever the mesh's scale.
   /// A power of two, so that nothing is lost; 0 for meshes of a usual scale.
   int exponent = 0;
@@ -44,6 +45,12 @@ struct MeshTopology {
   std::size_t border_vertices = 0;  ///< copies of vertices, as the next
   std::size_t non_manifold_vertices = 0;
   std::size_t degenerate_faces = 0;
+
+  Array<std::uint8_t> crease;     ///< whether the edge opposite to each corner is a crease; empty if none is
+  Array<std::uint8_t> on_crease;  ///< whether each vertex is on one; empty if none is
+  std::size_t crease_edges = 0;
+
+  bool is_on_crease(std::size_t v) const { return !on_crease.empty() && on_crease[v] != 0; }
 };
 
 /// All that the algorithms know of a mesh. Vertices and faces are in an order of the library's own, close in memory

@@ -5,6 +5,7 @@
 
 #include <vcg_core/detail/job.h>
 
+#include "mesh/creases.h"
 #include "sparse_index_map.h"
 
 namespace vcg_core::detail {
@@ -130,6 +131,7 @@ Array<Index> faces_across(const MeshArrays& mesh, Job& job) {
         for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
           while (end < sides.size() && sides[end].end == sides[begin].end) ++end;
           if (end - begin != 2) continue;
+          if (!topology.crease.empty() && topology.crease[sides[begin].corner]) continue;
           across[sides[begin].corner] = sides[begin + 1].corner / 3;
           across[sides[begin + 1].corner] = sides[begin].corner / 3;
         }
@@ -146,8 +148,15 @@ FaceLists faces_around(const MeshArrays& mesh, const Array<Index>& across, Job& 
     };
     add(f);
     for (int k = 0; k < 3; ++k) add(across[3 * f + static_cast<Index>(k)]);
-    for (const Index v : mesh.face[f]) {
+    for (Index k = 0; k < 3; ++k) {
+      const Index v = mesh.face[f][k];
       if (faces_of(topology, v) > many_faces) continue;
+      if (topology.is_on_crease(v)) {
+        Array<Index> sector;
+        add_faces_of_sector(mesh, v, 3 * f + k, sector);
+        for (const Index g : sector) add(g);
+        continue;
+      }
       for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) add(topology.star[s] / 3);
     }
   });

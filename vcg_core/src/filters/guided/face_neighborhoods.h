@@ -18,12 +18,12 @@ struct FaceLists {
 
 constexpr Index no_face = static_cast<Index>(-1);
 
-/// The face across each edge, by corner: the edge opposite to the corner. `no_face` at borders and at edges with three
-/// or more faces.
+/// The face across each edge, by corner: the edge opposite to the corner. `no_face` at borders, at edges with three
+/// or more faces and at creases.
 Array<Index> faces_across(const MeshArrays& mesh, Job& job);
 
-/// For each face all faces that share a vertex with it; at vertices with very many faces only those across an edge, so
-/// that the lists stay linear in the mesh.
+/// For each face all faces that share a vertex with it and lie on the same side of the creases there; at vertices with
+/// very many faces only those across an edge, so that the lists stay linear in the mesh.
 FaceLists faces_around(const MeshArrays& mesh, const Array<Index>& across, Job& job);
 
 /// Mean distance of adjoining centroids around each face: 0.6 times the mean edge length at its vertices, smoothed over

@@ -98,7 +98,7 @@ double second_smallest_jump(const MeshArrays& mesh, const Array<double>& height,
   return second;
 }
 
-/// By vertex; zero on borders, where half of the ring is missing.
+/// By vertex; zero on borders, where half of the ring is missing, and on creases, where height is shape.
 Array<Evidence> find_evidence(const MeshArrays& mesh, const Array<double>& height, Job& job) {
   const MeshTopology& topology = mesh.topology;
   Array<double> inverse_valence(mesh.size());
@@ -110,7 +110,8 @@ Array<Evidence> find_evidence(const MeshArrays& mesh, const Array<double>& heigh
     while (chunks.next())
       for (std::size_t v = chunks.begin(); v < chunks.end(); ++v) {
         evidence[v].setZero();
-        if (topology.border[v] || topology.star_begin[v + 1] - topology.star_begin[v] < 3) continue;
+        if (topology.border[v] || topology.is_on_crease(v) || topology.star_begin[v + 1] - topology.star_begin[v] < 3)
+          continue;
         const double product = height[v] * ring_mean(mesh, height, v);
         const double of_ring = ring_mean(mesh, inverse_valence, v);
         // Covariance of h at the ends of an edge with two triangles: -1/k_u - 1/k_v + 2 / (k_u k_v).

@@ -76,7 +76,7 @@ void update_positions(const MeshArrays& mesh, const Array<Vec3>& normal, const A
         for (auto v = static_cast<Index>(chunks.begin()); v < chunks.end(); ++v) {
           if (!movable[v]) continue;
           moved[v] = position[v] + step_to_planes(mesh, normal, position, v);
-          if (folded[v] && !mesh.topology.border[v])
+          if (folded[v] && !mesh.topology.border[v] && !mesh.topology.is_on_crease(v))
             moved[v] += settings.unfold_step * step_within_surface(mesh, normal, position, v);
         }
     });

@@ -1,0 +1,37 @@
+#include "limit_options.h"
+
+#include <cmath>
+
+#include <mesh_tools/ply_property.h>
+
+namespace anisosmooth {
+
+void declare_limits(CLI::App& app, LimitOptions& options) {
+  app.add_option("--weld-distance", options.limits.weld_distance,
+                 "Take vertices up to this far apart for one, in the mesh's unit; they move as one and keep their "
+                 "distances; >= 0 [default 0: those at exactly the same place]");
+  app.add_option("--max-displacement", options.limits.max_displacement,
+                 "Move no vertex farther than this, in the mesh's unit; >= 0 [default: no limit]");
+  app.add_option("--weights", options.weights,
+                 "Vertex property of the PLY file IN that says how far each vertex follows the filter: from 0, it "
+                 "stays, to 1. 'quality' is the vertices' quality, whatever its name in the file");
+}
+
+std::vector<double> weights_of(const LimitOptions& options, const mesh_tools::MeshFile& file,
+                               const mesh_tools::OriginalFile& original) {
+  if (options.weights.empty()) return {};
+  if (options.weights != "quality" || !(file.attributes & mesh_tools::vertex_quality_attribute))
+    return mesh_tools::vertex_property(original, options.weights);
+  std::vector<double> weights;
+  weights.reserve(file.mesh.vert.size());
+  for (const auto& vertex : file.mesh.vert) weights.push_back(vertex.cQ());
+  return weights;
+}
+
+void add_limits(const LimitOptions& options, nlohmann::ordered_json& json) {
+  if (options.limits.weld_distance > 0) json["weld_distance"] = options.limits.weld_distance;
+  if (std::isfinite(options.limits.max_displacement)) json["max_displacement"] = options.limits.max_displacement;
+  if (!options.weights.empty()) json["weights"] = options.weights;
+}
+
+}  // namespace anisosmooth

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <mesh_tools/mesh_io.h>
+#include <vcg_core/smoothing_limits.h>
+
+namespace anisosmooth {
+
+/// What holds the vertices back, as the user gave it: --weld-distance, --max-displacement, --weights.
+struct LimitOptions {
+  vcg_core::SmoothingLimits limits;
+  std::string weights;  ///< name of a vertex property; empty: none
+};
+
+void declare_limits(CLI::App& app, LimitOptions& options);
+
+/// One weight for each vertex of the file, or none. Throws mesh_tools::FileError.
+std::vector<double> weights_of(const LimitOptions& options, const mesh_tools::MeshFile& file,
+                               const mesh_tools::OriginalFile& original);
+
+/// Adds the values that the user gave.
+void add_limits(const LimitOptions& options, nlohmann::ordered_json& json);
+
+}  // namespace anisosmooth
