@@ -54,6 +54,7 @@ TEST_F(MeshIoErrors, ply_that_is_none) {
   expect_error(write("a.ply", "OFF\n3 1 0\n"), "not a PLY file");
   expect_error(write("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n"), "end_header");
   expect_error(write("a.ply", "ply\nformat middle_endian 1.0\nend_header\n"), "unknown format 'middle_endian'");
+  expect_error(write("a.ply", "ply\nformat ascii 1.0\nelment vertex 3\nend_header\n"), "line 3: unknown word 'elment'");
   expect_error(
       write("a.ply", "ply\nformat ascii 1.0\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n"),
       "declares no vertices");
@@ -65,7 +66,7 @@ TEST_F(MeshIoErrors, ply_that_is_cut_off_or_wrong_inside) {
   expect_error(write("a.ply", ply_head + three_vertices), "ends within face 0 of 1");
   expect_error(write("a.ply", ply_head + three_vertices + "3 0 1 3\n"), "vertex index");
   expect_error(write("a.ply", ply_head + three_vertices + "3 0 1 -1\n"), "vertex index");
-  expect_error(write("a.ply", ply_head + three_vertices + "2 0 1\n"), "has 2 vertices");
+  expect_error(write("a.ply", ply_head + three_vertices + "2 0 3\n"), "vertex index 3");
   expect_error(write("a.ply", ply_head + "0 0 zero\n1 0 0\n0 1 0\n3 0 1 2\n"), "'zero' is not a number");
 }
 
@@ -138,18 +139,22 @@ TEST_F(MeshIoErrors, words_of_a_file_are_cut_short_in_messages) {
 }
 
 TEST_F(MeshIoErrors, ply_with_vertices_of_an_unknown_kind) {
-  expect_error(write("a.ply",
-                     "ply\nformat ascii 1.0\nelement vertex 3\nproperty int x\nproperty int y\nproperty int z\n"
-                     "element face 1\nproperty list uchar int vertex_indices\nend_header\n" +
-                         three_vertices + "3 0 1 2\n"),
-               "must be there and be float or double");
+  expect_error(
+      write("a.ply",
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+            "property list uchar float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+                three_vertices + "3 0 1 2\n"),
+      "vertex property 'z' must be there and be a number");
 }
 
 TEST_F(MeshIoErrors, obj_names_the_line) {
   expect_error(write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n\nf 1 2 4\n"), "line 5: refers to vertex 4");
   expect_error(write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n"), "line 4: refers to vertex 0");
   expect_error(write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -4 1 2\n"), "line 4: refers to vertex -4");
-  expect_error(write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n"), "line 4: a face has fewer than 3 vertices");
+  expect_error(write("a.obj", "f 1 2 4\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"), "line 1: refers to vertex 4; the file has 3");
+  expect_error(write("a.obj", "v 0 0 0\nvt 0 0\nf 1/1 1/1 1/3\nvt 1 0\n"),
+               "line 3: refers to texture coordinate 3; the file has 2");
+  expect_error(write("a.obj", "v 0 0 0\nvt\n"), "line 2: a texture coordinate has no numbers");
   expect_error(write("a.obj", "v 0 0\n"), "line 1: a vertex has fewer than 3 numbers");
   expect_error(write("a.obj", "v 0 0 1x\n"), "'1x' is not a number");
   expect_error(write("a.obj", "# nothing\n"), "holds no vertices");
@@ -162,7 +167,8 @@ TEST_F(MeshIoErrors, off_names_the_line) {
   expect_error(write("a.off", "OFF\n3 1 0\n" + three_vertices), "ends before its 1 faces");
   expect_error(write("a.off", "OFF\n3 1 0\n" + three_vertices + "3 0 1 3\n"), "line 6: a face refers to vertex 3");
   expect_error(write("a.off", "OFF\n3 1 0\n" + three_vertices + "3 0 1 -1\n"), "allowed are 0 to 2");
-  expect_error(write("a.off", "OFF\n3 1 0\n" + three_vertices + "2 0 1\n"), "has 2 corners");
+  expect_error(write("a.off", "OFF\n3 1 0\n" + three_vertices + "2 0 3\n"), "line 6: a face refers to vertex 3");
+  expect_error(write("a.off", "OFF\n3 1 0\n" + three_vertices + "-3 0 1 2\n"), "line 6: a face has -3 corners");
   expect_error(write("a.off", "OFF\n3 1 0\n" + three_vertices + "4 0 1 2\n"), "fewer vertices than it says");
   expect_error(write("a.off", "OFF\n-3 1 0\n"), "a count is negative");
   expect_error(write("a.off", "OFF\n2000000000 1 0\n0 0 0\n"), "exceed the file");
@@ -173,6 +179,14 @@ TEST_F(MeshIoErrors, stl_that_is_none) {
   expect_error(write("a.stl", "solid a\nendsolid a\n"), "holds no facets");
   expect_error(write("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0\n"),
                "line 5: 'vertex' with 3 numbers");
+  const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n";
+  expect_error(write("a.stl", "solid a\n" + facet + "endloop\nendfacet\n"),
+               "line 7: a facet has fewer than 3 vertices");
+  expect_error(write("a.stl", "solid a\n" + facet + "vertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\n"),
+               "line 7: a facet has more than 3 vertices");
+  expect_error(write("a.stl", "solid a\n" + facet), "the file ends within a facet");
+  expect_error(write("a.stl", "solid a\n" + facet + facet), "line 6: 'vertex' with 3 numbers, or the end");
+  expect_error(write("a.stl", "solid a\nvertex 0 0 0\n"), "line 2: 'facet' is expected here");
   mesh_tools::write_mesh(cube(), path("whole.stl"));
   const std::string whole = bytes_of(path("whole.stl"));
   expect_error(write("a.stl", whole.substr(0, whole.size() - 1)), "neither text STL");

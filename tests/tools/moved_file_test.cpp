@@ -238,9 +238,11 @@ TEST_F(MovedFile, colours_and_qualities_follow_on_request) {
   const fs::path ply = write("a.ply", head + "0 0 0 7 007 7 0.10 5\n1 0 0 7 002 7 0.10 5\n0 1 0 7 7 7 0.10 5\n");
   EXPECT_EQ(moved(ply, recolor, true), head + "0 0 0 7 007 7 0.10 5\n1 0 0 1 002 51 0.25 5\n0 1 0 7 7 7 0.10 5\n");
   EXPECT_EQ(moved(ply, recolor, false), bytes_of(ply));
-  const fs::path obj = write("a.obj", "v 0 0 0 .5 .5 .50\nv 1 0 0 1 .5 .50\nv 0 1 0 9 9 9\nf 1 2 3\n");
+  const fs::path obj = write("a.obj", "v 0 0 0 .5 .5 .50\nv 1 0 0 1 .5 .50\nv 0 1 0\nf 1 2 3\n");
   EXPECT_EQ(moved(obj, recolor, true),
-            "v 0 0 0 .5 .5 .50\nv 1 0 0 0.00392156862745098 0.00784313725490196 0.2\nv 0 1 0 9 9 9\nf 1 2 3\n");
+            "v 0 0 0 .5 .5 .50\nv 1 0 0 0.00392156862745098 0.00784313725490196 0.2\nv 0 1 0\nf 1 2 3\n");
+  const fs::path whole = write("b.obj", "v 0 0 0 1 1 1\nv 1 0 0 0 2. 0\nv 0 1 0 9 9 9\nf 1 2 3\n");
+  EXPECT_EQ(moved(whole, recolor, true), "v 0 0 0 1 1 1\nv 1 0 0 1 2. 51\nv 0 1 0 9 9 9\nf 1 2 3\n");
   const fs::path off = write("a.off", "COFF\n3 1 0\n0 0 0 7 7 7\n1 0 0 7 2 7\n0 1 0 .5 .5 .5\n3 0 1 2\n");
   EXPECT_EQ(moved(off, recolor, true), "COFF\n3 1 0\n0 0 0 7 7 7\n1 0 0 1 2 51\n0 1 0 .5 .5 .5\n3 0 1 2\n");
 }

@@ -11,11 +11,13 @@ SHAPES = ("plane_slash", "plane_delaunay", "sphere", "torus", "cube", "stepped_b
 
 
 class SameBytes(CommandLine):
-    def expect_same(self, name):
+    def expect_same(self, name, odd=False):
         before = self.bytes_of(name)
         out = "same" + os.path.splitext(name)[1]
         done = self.run_tool("noise", name, out, "--level", "0", "--quiet")
-        self.assertEqual(done.stderr, "", name)
+        self.assertLessEqual(done.stderr.count("\n"), 1 if odd else 0, name)
+        if done.stderr:
+            self.assertTrue(done.stderr.startswith(f"warning: {name}: "), done.stderr)
         self.assertEqual(self.bytes_of(out), before, name)
 
     def test_generated_shapes(self):
@@ -45,11 +47,11 @@ class SameBytes(CommandLine):
                 except AssertionError:
                     self.expect_failure("noise", name, name, "--level", "0", "--quiet", says=name)
                     continue
-                self.expect_same(name)
+                self.expect_same(name, odd=True)
                 with open(os.path.join(folder, name), "rb") as file:
                     self.assertEqual(self.bytes_of(name), file.read(), name)
                 same += 1
-        self.assertGreater(same, 50)
+        self.assertGreater(same, 100)
 
     def test_a_fixed_border_and_a_selection_keep_the_bytes_of_what_stays(self):
         head = ("ply\nformat ascii 1.0\ncomment a scan\nelement vertex 9\nproperty float x\nproperty float y\n"

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -30,10 +32,24 @@ constexpr int normal_attributes = 0x10 | 0x400;  // of vertices, of faces
 constexpr int vertex_quality_attribute = 0x8;
 constexpr int vertex_color_attribute = 0x4;
 
+/// The polygons of more than three corners that a file's triangles were cut from.
+struct Polygons {
+  struct Polygon {
+    std::uint32_t first_face;    ///< a polygon of n corners is n - 2 triangles, one behind the other
+    std::uint32_t first_corner;  ///< in `corners`; they end where those of the next polygon begin
+  };
+  std::vector<Polygon> polygons;       ///< in the order of their triangles
+  std::vector<std::uint32_t> corners;  ///< around each polygon, as corners of its triangles: 3 * face + k
+};
+
 /// What belongs to a file besides the positions and the faces.
 struct MeshFile {
   Mesh mesh;
+  Polygons polygons;
+  std::optional<std::filesystem::path> folder;  ///< where the names of mesh.textures begin; none: where it is written
   Precision precision = Precision::double_precision;
+  bool free_layout = false;           ///< of an OFF file whose vertices and faces are not one a line
+  double color_scale = 1;             ///< what makes the file's colour components of vertices 0 to 255
   int attributes = 0;                 ///< bits of vcg::tri::io::Mask: what the file holds, and what is to be written
   std::vector<std::string> warnings;  ///< what is odd about the file, in sentences
   std::vector<std::string> not_kept;  ///< what of the file is not in here, so that write_mesh() loses it, in sentences
@@ -54,7 +70,7 @@ struct TextFile {
 /// Reads PLY, OBJ, OFF or STL, told by the extension, by readers of our own: of vcglib's importers of MeshLab 2020.09
 /// the one of PLY does not check the last corner of polygons, strips and grids, the one of OBJ drops every face that
 /// refers to the first vertex, the one of OFF does not check indices, the one of STL runs past a buffer. Polygons are
-/// cut into fans of triangles. STL knows no shared vertices: those at exactly the same place are merged.
+/// cut into triangles, convex ones into fans. STL knows no shared vertices: those at exactly the same place are merged.
 /// @param original  gets the file itself, for write_moved()
 /// @throws FileError
 MeshFile read_mesh(const std::filesystem::path& path, OriginalFile* original = nullptr);

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <mesh_tools/mesh_io.h>
 
@@ -16,7 +19,8 @@ MeshFile read_off(const std::string& bytes, const std::filesystem::path& path);
 MeshFile read_stl(const std::string& bytes, const std::filesystem::path& path);
 
 /// Writers give the file's bytes.
-std::string ply_bytes(const MeshFile& file);
+/// @param textures  in the place of the mesh's own: relative to the file
+std::string ply_bytes(const MeshFile& file, const std::vector<std::string>& textures);
 std::string off_bytes(const MeshFile& file);
 std::string stl_bytes(const MeshFile& file);
 
@@ -25,11 +29,23 @@ struct ObjBytes {
   std::string mesh, materials;
 };
 /// @param material_name  of the material file, as the mesh names it
-ObjBytes obj_bytes(const MeshFile& file, const std::string& material_name);
+ObjBytes obj_bytes(const MeshFile& file, const std::vector<std::string>& textures, const std::string& material_name);
 
 /// Binary STL: 80 bytes of header and a count, then facets of 50 bytes.
 constexpr std::size_t stl_header_size = 84, stl_facet_size = 50;
-bool is_binary_stl(const std::string& bytes);
+struct StlLayout {
+  bool is_binary = false;    ///< as its size says
+  bool may_be_text = false;  ///< if it is not binary
+  std::size_t facets = 0;    ///< of a binary file, that are there
+  std::size_t declared = 0;  ///< and that its header counts
+};
+/// How to read a file that may be STL. Bytes may follow the last facet of a binary file, and its count may be too small
+/// if nothing else follows.
+StlLayout stl_layout(const std::string& bytes);
+
+/// The first words of lines in text STL, in small letters or capitals.
+enum class StlKeyword { none, comment, solid, facet, loop, vertex, end_of_facet };
+StlKeyword stl_keyword(std::string_view word);
 
 /// Attributes that a format can hold, as bits of vcg::tri::io::Mask.
 constexpr int vertex_normal = 0x10, vertex_color = 0x4, vertex_quality = 0x8, vertex_texture = 0x20, vertex_flags = 0x2,
@@ -38,12 +54,19 @@ constexpr int vertex_normal = 0x10, vertex_color = 0x4, vertex_quality = 0x8, ve
 constexpr int ply_attributes = vertex_normal | vertex_color | vertex_quality | vertex_texture | vertex_flags |
                                vertex_radius | face_flags | face_color | face_quality | face_normal | wedge_texture |
                                wedge_texture_index | edges;
-constexpr int obj_attributes = vertex_normal | vertex_color | wedge_texture | wedge_texture_index | face_color | edges;
+constexpr int obj_attributes =
+    vertex_normal | vertex_color | vertex_texture | wedge_texture | wedge_texture_index | face_color | edges;
 constexpr int off_attributes = vertex_normal | vertex_color | face_color;
 constexpr int stl_attributes = face_color;
 
-/// Adds what is not kept of polygons, if there are any: that they are cut into triangles.
-void note_polygons(std::size_t count, const std::filesystem::path& path, MeshFile& file);
+/// Warns of faces with fewer than three corners, if there are any: they are passed over.
+void note_small_faces(std::size_t count, const std::filesystem::path& path, MeshFile& file);
+
+/// Some faces of a mesh may have texture coordinates and others not: these have a number that is none in their place.
+inline bool is_textured(const detail::FaceD& face) { return !std::isnan(face.cWT(0).u()); }
+inline void set_untextured(detail::FaceD& face) {
+  for (int k = 0; k < 3; ++k) face.WT(k).u() = std::numeric_limits<float>::quiet_NaN();
+}
 
 /// "FILE: what" as a FileError.
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& what);

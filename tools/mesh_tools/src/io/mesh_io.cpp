@@ -14,7 +14,9 @@
 #include <durable_files/pending_file.h>
 #include <vcg/complex/algorithms/update/normal.h>
 
+#include "file_names.h"
 #include "formats.h"
+#include "polygons.h"
 #include "splice/splice.h"
 
 namespace mesh_tools {
@@ -27,10 +29,11 @@ void fail_at_line(const fs::path& path, std::size_t line, const std::string& wha
   throw FileError(path.string() + ", line " + std::to_string(line) + ": " + what);
 }
 
-void note_polygons(std::size_t count, const fs::path& path, MeshFile& file) {
+void note_small_faces(std::size_t count, const fs::path& path, MeshFile& file) {
   if (count > 0)
-    file.not_kept.push_back(path.string() + ": " + std::to_string(count) +
-                            (count == 1 ? " polygon was" : " polygons were") + " cut into triangles");
+    file.warnings.push_back(path.string() + ": " + std::to_string(count) +
+                            (count == 1 ? " face has fewer than 3 corners; it is passed over"
+                                        : " faces have fewer than 3 corners; they are passed over"));
 }
 
 std::string printable(std::string_view word) {
@@ -194,7 +197,9 @@ MeshFile read_mesh(const fs::path& path, OriginalFile* original) {
                   : kind == ".off" ? io::read_off(bytes, path)
                                    : io::read_stl(bytes, path);
   check_complete(file.mesh, path);
+  io::cut_polygons(file);
   if (file.mesh.vn == 0) io::fail(path, "holds no vertices");
+  file.folder = path.parent_path();
   if (original) *original = {path, std::move(bytes)};
   return file;
 }
@@ -206,13 +211,16 @@ std::vector<std::string> write_mesh(const MeshFile& file, const fs::path& path,
   int capability = 0;
   std::string bytes;
   std::vector<TextFile> together;
+  std::vector<std::string> textures = file.mesh.textures;
+  if (file.folder)
+    for (std::string& name : textures) name = io::moved_file_name(name, *file.folder, path.parent_path());
   if (kind == ".ply") {
     capability = io::ply_attributes;
-    bytes = io::ply_bytes(file);
+    bytes = io::ply_bytes(file, textures);
   } else if (kind == ".obj") {
     capability = io::obj_attributes;
     const fs::path material_path = files_of(path).back();
-    io::ObjBytes obj = io::obj_bytes(file, material_path.filename().string());
+    io::ObjBytes obj = io::obj_bytes(file, textures, material_path.filename().string());
     bytes = std::move(obj.mesh);
     if (!obj.materials.empty()) together.push_back({material_path, std::move(obj.materials)});
   } else if (kind == ".off") {
@@ -226,25 +234,45 @@ std::vector<std::string> write_mesh(const MeshFile& file, const fs::path& path,
   together.push_back({path, std::move(bytes)});  // last: who sees the mesh finds the others
   write_together(together, interrupted);
   std::vector<std::string> lost = file.not_kept;
+  const std::size_t polygons = file.polygons.polygons.size();
+  if (kind == ".stl" && polygons > 0)
+    lost.push_back(path.string() + ": " + std::to_string(polygons) +
+                   (polygons == 1 ? " polygon was" : " polygons were") + " cut into triangles");
   for (std::string& sentence : lost_attributes(file.attributes, capability, path)) lost.push_back(std::move(sentence));
   return lost;
 }
+
+namespace {
+
+/// With normals that follow from the positions.
+std::vector<std::string> write_anew(MeshFile& file, const fs::path& path, const std::function<bool()>& interrupted,
+                                    const TextFile* with) {
+  if (file.attributes & normal_attributes) update_normals(file.mesh);
+  return write_mesh(file, path, interrupted, with);
+}
+
+}  // namespace
 
 std::vector<std::string> write_moved(MeshFile& file, OriginalFile original, const fs::path& path, bool recolored,
                                      const std::function<bool()>& interrupted, const TextFile* with) {
   const std::string kind = extension(path);
   if (kind != extension(original.path)) {
     original.bytes = {};
-    if (file.attributes & normal_attributes) update_normals(file.mesh);
-    return write_mesh(file, path, interrupted, with);
+    return write_anew(file, path, interrupted, with);
   }
   check_writable(path);
   const io::SpliceInput input{file, original.path, recolored};
   std::string bytes = std::move(original.bytes);
-  bytes = kind == ".ply"   ? io::splice_ply(std::move(bytes), input)
-          : kind == ".obj" ? io::splice_obj(std::move(bytes), input, path)
-          : kind == ".off" ? io::splice_off(std::move(bytes), input)
-                           : io::splice_stl(std::move(bytes), input);
+  try {
+    bytes = kind == ".ply"   ? io::splice_ply(std::move(bytes), input, path)
+            : kind == ".obj" ? io::splice_obj(std::move(bytes), input, path)
+            : kind == ".off" ? io::splice_off(std::move(bytes), input)
+                             : io::splice_stl(std::move(bytes), input);
+  } catch (const io::NoRoom& reason) {
+    std::vector<std::string> lost = write_anew(file, path, interrupted, with);
+    lost.insert(lost.begin(), original.path.string() + ": " + reason.what());
+    return lost;
+  }
   std::vector<TextFile> together;
   if (with) together.push_back(*with);
   together.push_back({path, std::move(bytes)});

@@ -1,11 +1,13 @@
 // Geomview's OFF, with the prefixes N (normals) and C (colours).
 
-#include <cmath>
+#include <algorithm>
 
 #include <vcg/complex/algorithms/update/bounding.h>
 
+#include "colors.h"
 #include "formats.h"
 #include "off_header.h"
+#include "polygons.h"
 #include "text.h"
 
 namespace mesh_tools::io {
@@ -14,93 +16,135 @@ namespace {
 using Words = std::vector<std::string_view>;
 using Allocator = vcg::tri::Allocator<Mesh>;
 
-/// 3 or 4 components, whole numbers 0..255 or fractions 0..1.
-vcg::Color4b read_color(const LineReader& reader, const Words& words, std::size_t first) {
-  bool fractions = false;
-  for (std::size_t i = first; i < words.size(); ++i) fractions |= words[i].find('.') != std::string_view::npos;
-  vcg::Color4b color(255, 255, 255, 255);
-  for (std::size_t i = first; i < words.size(); ++i) {
-    const double value = reader.number(words[i]) * (fractions ? 255 : 1);
-    if (!(value >= 0 && value <= 255)) reader.fail("'" + printable(words[i]) + "' is not a colour component");
-    color[static_cast<int>(i - first)] = static_cast<unsigned char>(std::lround(value));
-  }
-  return color;
-}
-
 bool is_color(std::size_t words) { return words == 3 || words == 4; }
+
+class OffReader {
+ public:
+  OffReader(const std::string& text, const std::filesystem::path& path, bool free)
+      : path_(path), reader_(text, path), header_(read_off_header(reader_)), rows_(reader_, header_, free) {
+    // A vertex takes at least six bytes ("0 0 0" and a line's end) and a face two, so that wrong counts cannot ask for
+    // more memory than the file's size explains.
+    const std::int64_t size = static_cast<std::int64_t>(text.size()) + 1;  // the last line's end may be missing
+    if (header_.vertices > size / 6 || header_.faces > size / 2)
+      reader_.fail("the counts of vertices and faces exceed the file");
+    file_.free_layout = free;
+  }
+
+  MeshFile read() {
+    read_vertices();
+    for (std::int64_t f = 0; f < header_.faces; ++f) read_face();
+    file_.color_scale = color_scale(vertex_colors_.largest());
+    vertex_colors_.apply(file_.mesh.vert, file_.color_scale);
+    face_colors_.apply(file_.mesh.face, color_scale(face_colors_.largest()));
+    note_small_faces(too_small_, path_, file_);
+    vcg::tri::UpdateBounding<Mesh>::Box(file_.mesh);
+    return std::move(file_);
+  }
+
+ private:
+  void read_vertices() {
+    if (header_.vertices > 0) Allocator::AddVertices(file_.mesh, static_cast<std::size_t>(header_.vertices));
+    if (header_.normals) file_.attributes |= vertex_normal;
+    if (header_.texture) file_.attributes |= vertex_texture;
+    for (std::size_t i = 0; i < file_.mesh.vert.size(); ++i) {
+      auto& vertex = file_.mesh.vert[i];
+      rows_.next_vertex(words_);
+      for (std::size_t k = 0; k < 3; ++k) {
+        vertex.P()[static_cast<int>(k)] = reader_.number(words_[k]);
+        if (header_.normals) vertex.N()[static_cast<int>(k)] = reader_.number(words_[3 + k]);
+      }
+      if (header_.texture) {
+        vertex.T().u() = static_cast<float>(reader_.number(words_[words_.size() - 2]));
+        vertex.T().v() = static_cast<float>(reader_.number(words_[words_.size() - 1]));
+        words_.resize(words_.size() - 2);
+      }
+      if (!header_.colors || !is_color(words_.size() - rows_.before_color())) continue;
+      add_color(vertex_colors_, i, rows_.before_color());
+      file_.attributes |= vertex_color;
+    }
+  }
+
+  void read_face() {
+    rows_.next_face(words_);
+    const std::int64_t corners = reader_.integer(words_[0]);
+    const std::size_t end = static_cast<std::size_t>(std::max<std::int64_t>(corners, 0)) + 1,
+                      behind = words_.size() - end;
+    // What is no face at all is no small one either.
+    if (corners < 1 || (corners < 3 && behind > 1 && !is_color(behind)))
+      reader_.fail("a face has " + std::to_string(corners) + " corners; at least 3 are needed");
+    index_.clear();
+    for (std::size_t k = 1; k < end; ++k) {
+      const std::int64_t index = reader_.integer(words_[k]);
+      if (index < 0 || index >= header_.vertices)
+        reader_.fail("a face refers to vertex " + printable(words_[k]) + "; allowed are 0 to " +
+                     std::to_string(header_.vertices - 1));
+      index_.push_back(static_cast<std::size_t>(index));
+    }
+    if (corners < 3) {
+      ++too_small_;
+      return;
+    }
+    const bool colored = is_color(behind);
+    if (colored) file_.attributes |= face_color;
+    for (std::size_t k = 2; k < index_.size(); ++k) {
+      // Not by Allocator::AddFace, which aborts on a repeated vertex where assertions are on.
+      detail::FaceD& face = file_.mesh.face.emplace_back();
+      ++file_.mesh.fn;
+      const std::size_t corner[3] = {index_[0], index_[k - 1], index_[k]};
+      for (int j = 0; j < 3; ++j) face.V(j) = &file_.mesh.vert[corner[j]];
+      face.C() = vcg::Color4b(255, 255, 255, 255);
+      if (colored) add_color(face_colors_, file_.mesh.face.size() - 1, end);
+    }
+    note_fan(index_.size(), file_);
+  }
+
+  /// 3 or 4 components, from the word `first` on.
+  void add_color(RawColors& colors, std::size_t item, std::size_t first) const {
+    for (std::size_t i = first; i < words_.size(); ++i) {
+      const double value = reader_.number(words_[i]);
+      if (!(value >= 0 && value <= 255)) reader_.fail("'" + printable(words_[i]) + "' is not a colour component");
+      colors.add(item, static_cast<int>(i - first), value);
+    }
+  }
+
+  std::filesystem::path path_;
+  LineReader reader_;
+  OffHeader header_;
+  OffRows rows_;
+  MeshFile file_;
+  Words words_;
+  std::vector<std::size_t> index_;
+  RawColors vertex_colors_, face_colors_;
+  std::size_t too_small_ = 0;
+};
 
 }  // namespace
 
 MeshFile read_off(const std::string& text, const std::filesystem::path& path) {
-  LineReader reader(text, path);
-  const OffHeader header = read_off_header(reader);
-  // A vertex takes at least six bytes ("0 0 0" and a line's end) and a face eight, so that wrong counts cannot ask for
-  // more memory than the file's size explains.
-  const std::int64_t size = static_cast<std::int64_t>(text.size()) + 1;  // the last line's end may be missing
-  if (header.vertices > size / 6 || header.faces > size / 8)
-    reader.fail("the counts of vertices and faces exceed the file");
-  MeshFile file;
-  Mesh& mesh = file.mesh;
-  if (header.normals) file.attributes |= vertex_normal;
-  if (header.vertices > 0) Allocator::AddVertices(mesh, header.vertices);
-  Words words;
-  const std::size_t fixed = 3 + (header.normals ? 3 : 0), texture = header.texture ? 2 : 0;
-  for (auto& vertex : mesh.vert) {
-    if (!reader.next(words)) reader.fail("the file ends before its " + std::to_string(header.vertices) + " vertices");
-    if (words.size() < fixed + texture) reader.fail("a vertex has too few numbers");
-    for (int k = 0; k < 3; ++k) {
-      vertex.P()[k] = reader.number(words[k]);
-      if (header.normals) vertex.N()[k] = reader.number(words[3 + k]);
-    }
-    words.resize(words.size() - texture);
-    if (header.colors && is_color(words.size() - fixed)) {
-      vertex.C() = read_color(reader, words, fixed);
-      file.attributes |= vertex_color;
+  try {
+    return OffReader(text, path, false).read();
+  } catch (const FileError& as_lines) {
+    // White space is free in OFF, but nearly all files have a vertex or a face a line, and more may stand behind a
+    // vertex there than the header says.
+    try {
+      return OffReader(text, path, true).read();
+    } catch (const FileError&) {
+      throw as_lines;
     }
   }
-  std::size_t polygons = 0;
-  for (std::int64_t f = 0; f < header.faces; ++f) {
-    if (!reader.next(words)) reader.fail("the file ends before its " + std::to_string(header.faces) + " faces");
-    const std::int64_t corners = reader.integer(words[0]);
-    if (corners < 3) reader.fail("a face has " + std::to_string(corners) + " corners; at least 3 are needed");
-    const std::size_t end = static_cast<std::size_t>(corners) + 1;
-    if (words.size() < end) reader.fail("a face has fewer vertices than it says");
-    std::vector<std::int64_t> index;
-    for (std::size_t k = 1; k < end; ++k) {
-      index.push_back(reader.integer(words[k]));
-      if (index.back() < 0 || index.back() >= header.vertices)
-        reader.fail("a face refers to vertex " + printable(words[k]) + "; allowed are 0 to " +
-                    std::to_string(header.vertices - 1));
-    }
-    const bool colored = is_color(words.size() - end);
-    const vcg::Color4b color = colored ? read_color(reader, words, end) : vcg::Color4b(255, 255, 255, 255);
-    if (colored) file.attributes |= face_color;
-    if (index.size() > 3) ++polygons;
-    for (std::size_t k = 2; k < index.size(); ++k) {
-      // Not by Allocator::AddFace, which aborts on a repeated vertex where assertions are on.
-      detail::FaceD& face = mesh.face.emplace_back();
-      ++mesh.fn;
-      face.V(0) = &mesh.vert[static_cast<std::size_t>(index[0])];
-      face.V(1) = &mesh.vert[static_cast<std::size_t>(index[k - 1])];
-      face.V(2) = &mesh.vert[static_cast<std::size_t>(index[k])];
-      face.C() = color;
-    }
-  }
-  if (header.texture) file.not_kept.push_back(path.string() + ": texture coordinates are not kept");
-  note_polygons(polygons, path, file);
-  vcg::tri::UpdateBounding<Mesh>::Box(mesh);
-  return file;
 }
 
 namespace {
 
 /// Scalar is what positions and normals are rounded to.
 template <class Scalar>
-std::string off_text(const Mesh& mesh, int attributes) {
+std::string off_text(const MeshFile& file) {
+  const Mesh& mesh = file.mesh;
+  const int attributes = file.attributes;
   const bool normals = attributes & vertex_normal, colors = attributes & vertex_color;
   const bool face_colors = attributes & face_color;
   std::string text = std::string(colors ? "C" : "") + (normals ? "N" : "") + "OFF\n" + std::to_string(mesh.vn) + " " +
-                     std::to_string(mesh.fn) + " 0\n";
+                     std::to_string(count_polygons(file).count) + " 0\n";
   std::vector<std::size_t> number(mesh.vert.size());
   std::size_t count = 0;
   const auto append_color = [&](const vcg::Color4b& color) {
@@ -121,21 +165,22 @@ std::string off_text(const Mesh& mesh, int attributes) {
     if (colors) append_color(vertex.cC());
     text += '\n';
   }
-  for (const auto& face : mesh.face) {
-    if (face.IsD()) continue;
-    text += '3';
-    for (int k = 0; k < 3; ++k) text.append(" ").append(std::to_string(number[vcg::tri::Index(mesh, face.cV(k))]));
-    if (face_colors) append_color(face.cC());
+  visit_polygons(file, [&](std::size_t face, const std::uint32_t* first, const std::uint32_t* last) {
+    text += std::to_string(last - first);
+    for (; first != last; ++first) {
+      const auto* vertex = mesh.face[*first / 3].cV(static_cast<int>(*first % 3));
+      text.append(" ").append(std::to_string(number[vcg::tri::Index(mesh, vertex)]));
+    }
+    if (face_colors) append_color(mesh.face[face].cC());
     text += '\n';
-  }
+  });
   return text;
 }
 
 }  // namespace
 
 std::string off_bytes(const MeshFile& file) {
-  return file.precision == Precision::double_precision ? off_text<double>(file.mesh, file.attributes)
-                                                       : off_text<float>(file.mesh, file.attributes);
+  return file.precision == Precision::double_precision ? off_text<double>(file) : off_text<float>(file);
 }
 
 }  // namespace mesh_tools::io

@@ -18,10 +18,12 @@
 #include <vcg/complex/algorithms/create/platonic.h>
 #include <vcg/complex/algorithms/update/bounding.h>
 
+#include "colors.h"
 #include "formats.h"
 #include "ply_data.h"
 #include "ply_layout.h"
 #include "ply_roles.h"
+#include "polygons.h"
 
 namespace mesh_tools::io {
 namespace {
@@ -29,17 +31,24 @@ namespace {
 using Type = PlyLayout::Type;
 using Row = PlyData::Row;
 
+/// Single if it holds every number that the coordinates can be.
 Precision precision_of(const PlyLayout::Element& vertex, const std::filesystem::path& path) {
-  Type types[3];
-  for (int k = 0; k < 3; ++k) {
-    const std::string name(1, static_cast<char>('x' + k));
+  Precision precision = Precision::single_precision;
+  for (const char* name : {"x", "y", "z"}) {
     const auto* property = vertex.find(name);
-    if (!property || property->is_list || is_whole(property->type))
-      fail(path, "vertex property '" + name + "' must be there and be float or double");
-    types[k] = property->type;
+    if (!property || property->is_list)
+      fail(path, std::string("vertex property '") + name + "' must be there and be a number");
+    const bool fits = property->type == Type::float32 || size_of(property->type) < sizeof(float);
+    if (!fits) precision = Precision::double_precision;
   }
-  if (types[0] != types[1] || types[0] != types[2]) fail(path, "vertex properties x, y, z must be of one type");
-  return types[0] == Type::float32 ? Precision::single_precision : Precision::double_precision;
+  return precision;
+}
+
+/// What makes colour components of another type than bytes 0 to 255.
+double scale_of(const RawColors& colors, bool whole) {
+  if (!whole) return color_scale(colors.largest());
+  if (colors.largest() <= 255) return 1;
+  return 255 / (colors.largest() <= 65535 ? 65535.0 : 4294967295.0);
 }
 
 /// vcglib counts textures in 16 bits.
@@ -69,7 +78,7 @@ void set(Element& element, Role role, double value) {
     case Role::green:
     case Role::blue:
     case Role::alpha:
-      element.C()[static_cast<int>(role) - static_cast<int>(Role::red)] = to_byte(value);
+      element.C()[static_cast<int>(role) - static_cast<int>(Role::red)] = color_byte(value);
       break;
     default:
       break;
@@ -87,7 +96,7 @@ void set_vertex(detail::VertexD& vertex, Role role, double value) {
       vertex.R() = static_cast<float>(value);
       break;
     case Role::gray:
-      vertex.C() = vcg::Color4b(to_byte(255 * value), to_byte(255 * value), to_byte(255 * value), 255);
+      vertex.C() = vcg::Color4b(color_byte(255 * value), color_byte(255 * value), color_byte(255 * value), 255);
       break;
     case Role::u:
       vertex.T().u() = static_cast<float>(value);
@@ -127,7 +136,12 @@ class PlyReader {
       else
         skip(element);
     }
-    read_textures();
+    // Faces that are none are likely where data are read from the wrong place on.
+    if (has_small_faces_ && !is_text() && data_.bytes_left() > 0)
+      fail(path_, "has faces of fewer than 3 vertices, and " + std::to_string(data_.bytes_left()) +
+                      " bytes behind its data: its counts are wrong");
+    for (const std::string_view name : texture_names(layout_)) file_.mesh.textures.emplace_back(name);
+    for (const std::string& warning : layout_.warnings) file_.warnings.push_back(path_.string() + ": " + warning);
     if (!unknown_.empty()) file_.not_kept.push_back(path_.string() + ": these properties are not kept: " + unknown_);
     vcg::tri::UpdateBounding<Mesh>::Box(file_.mesh);
     return std::move(file_);
@@ -136,17 +150,16 @@ class PlyReader {
  private:
   using Element = PlyLayout::Element;
 
+  bool is_text() const { return layout_.format == PlyLayout::Format::ascii; }
+
   void add_unknown(const std::string& name) { unknown_ += (unknown_.empty() ? "" : ", ") + printable(name); }
 
-  template <std::size_t N>
-  void add_unknown(const Element& element, const KnownProperty (&table)[N],
-                   std::initializer_list<std::string_view> lists) {
-    for (const auto& property : element.properties) {
-      const bool known = property.is_list
-                             ? std::find(lists.begin(), lists.end(), property.name) != lists.end()
-                             : std::any_of(std::begin(table), std::end(table), [&](const KnownProperty& entry) {
-                                 return property.name == entry.name && is_of_kind(property.type, entry.kind);
-                               });
+  /// @param lists  names of lists that are known
+  void add_unknown(const Element& element, const Roles& roles, std::initializer_list<std::string_view> lists) {
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      const auto& property = element.properties[p];
+      const bool known = property.is_list ? std::find(lists.begin(), lists.end(), property.name) != lists.end()
+                                          : roles[p] != Role::none;
       if (!known) add_unknown(element.name + "." + property.name);
     }
   }
@@ -166,12 +179,18 @@ class PlyReader {
 
   void read_vertices(const Element& element) {
     const Roles roles(element, known_of_vertex);
+    RawColors wide;
     for (std::size_t i = 0; i < element.count; ++i) {
       data_.read(element, i, row_);
       for (std::size_t p = 0; p < element.properties.size(); ++p)
-        if (roles[p] != Role::none) set_vertex(file_.mesh.vert[i], roles[p], row_.number[p]);
+        if (is_wide_color(roles[p], element.properties[p]))
+          wide.add(i, component(roles[p]), row_.number[p]);
+        else if (roles[p] != Role::none)
+          set_vertex(file_.mesh.vert[i], roles[p], row_.number[p]);
     }
-    add_unknown(element, known_of_vertex, {});
+    if (!wide.empty()) file_.color_scale = scale_of(wide, has_whole_colors(element, roles));
+    wide.apply(file_.mesh.vert, file_.color_scale);
+    add_unknown(element, roles, {});
     const auto add = [&](bool present, int attribute) { file_.attributes |= present ? attribute : 0; };
     add(roles.has_normal(), vertex_normal);
     add(roles.has(Role::flags), vertex_flags);
@@ -186,7 +205,19 @@ class PlyReader {
     return file_.mesh.face.emplace_back();
   }
 
-  /// Polygons are cut into fans of triangles.
+  static bool is_color(Role role) {
+    return role == Role::red || role == Role::green || role == Role::blue || role == Role::alpha;
+  }
+  static bool is_wide_color(Role role, const PlyLayout::Property& property) {
+    return is_color(role) && property.type != Type::uint8;
+  }
+  static bool has_whole_colors(const Element& element, const Roles& roles) {
+    for (std::size_t p = 0; p < element.properties.size(); ++p)
+      if (is_wide_color(roles[p], element.properties[p]) && is_whole(element.properties[p].type)) return true;
+    return false;
+  }
+  static int component(Role role) { return static_cast<int>(role) - static_cast<int>(Role::red); }
+
   void read_faces(const Element& element) {
     if (element.count == 0) return;
     const auto& properties = element.properties;
@@ -197,7 +228,8 @@ class PlyReader {
     });
     const Roles roles(element, known_of_face);
     const std::vector<double> none;
-    std::size_t polygons = 0;
+    RawColors wide;
+    std::size_t too_small = 0;
     file_.mesh.face.reserve(
         std::min(element.count, data_.most_rows(element, &*list, 3)));  // the header may say too much
     for (std::size_t i = 0; i < element.count; ++i) {
@@ -205,13 +237,18 @@ class PlyReader {
       const std::vector<double>& corners = row_.list[static_cast<std::size_t>(list - properties.begin())];
       const std::vector<double>& wedges =
           texture == properties.end() ? none : row_.list[static_cast<std::size_t>(texture - properties.begin())];
-      if (corners.size() < 3)
-        data_.fail_at_row(element, i, "has " + std::to_string(corners.size()) + " vertices; at least 3 are needed");
+      if (corners.size() < 3) {
+        // Within a line, or where zeros are read as one, it is what the file's counts do not fit.
+        if (is_text() ? !data_.row_begins_line() : corners.empty())
+          data_.fail_at_row(element, i, "has " + std::to_string(corners.size()) + " vertices; at least 3 are needed");
+        for (const double index : corners) vertex_at(element, i, index);
+        ++too_small;
+        continue;
+      }
       if (!wedges.empty() && wedges.size() != 2 * corners.size())
         data_.fail_at_row(element, i,
                           "has " + std::to_string(wedges.size()) + " texture coordinates; allowed are " +
                               std::to_string(2 * corners.size()) + ", two for each corner, and none");
-      if (corners.size() > 3) ++polygons;
       for (std::size_t c = 2; c < corners.size(); ++c) {
         detail::FaceD& face = add_face();
         const std::size_t corner[3] = {0, c - 1, c};
@@ -221,15 +258,22 @@ class PlyReader {
           face.WT(k).u() = static_cast<float>(wedges[2 * corner[k]]);
           face.WT(k).v() = static_cast<float>(wedges[2 * corner[k] + 1]);
         }
+        if (wedges.empty()) set_untextured(face);
         for (std::size_t p = 0; p < properties.size(); ++p) {
-          set(face, roles[p], row_.number[p]);
+          if (is_wide_color(roles[p], properties[p]))
+            wide.add(file_.mesh.face.size() - 1, component(roles[p]), row_.number[p]);
+          else
+            set(face, roles[p], row_.number[p]);
           if (roles[p] != Role::page) continue;
           for (int k = 0; k < 3; ++k) face.WT(k).n() = to_page(row_.number[p]);
         }
       }
+      note_fan(corners.size(), file_);
     }
-    note_polygons(polygons, path_, file_);
-    add_unknown(element, known_of_face, {list->name, "texcoord"});
+    wide.apply(file_.mesh.face, scale_of(wide, has_whole_colors(element, roles)));
+    note_small_faces(too_small, path_, file_);
+    has_small_faces_ = too_small > 0;
+    add_unknown(element, roles, {list->name, "texcoord"});
     const auto add = [&](bool present, int attribute) { file_.attributes |= present ? attribute : 0; };
     add(roles.has_normal(), face_normal);
     add(roles.has(Role::flags), face_flags);
@@ -285,8 +329,8 @@ class PlyReader {
 
   /// The number that a comment gives to `name`.
   std::int64_t number_in_comments(std::string_view name) const {
-    for (const std::string& comment : layout_.comments)
-      if (comment.compare(0, name.size(), name) == 0) return std::atoll(comment.c_str() + name.size());
+    for (const std::string_view comment : layout_.comments)
+      if (comment.substr(0, name.size()) == name) return std::atoll(std::string(comment.substr(name.size())).c_str());
     return 0;
   }
 
@@ -309,146 +353,17 @@ class PlyReader {
     vcg::tri::SparseFaceGrid(file_.mesh, vertex, static_cast<int>(columns), static_cast<int>(rows));
   }
 
-  void read_textures() {
-    constexpr std::string_view keyword = "TextureFile ";
-    for (const std::string& comment : layout_.comments)
-      if (comment.compare(0, keyword.size(), keyword) == 0)
-        file_.mesh.textures.push_back(comment.substr(keyword.size()));
-  }
-
   const std::filesystem::path& path_;
   PlyLayout layout_;
   PlyData data_;
   MeshFile file_;
   Row row_;
+  bool has_small_faces_ = false;
   std::string unknown_;
 };
 
 }  // namespace
 
 MeshFile read_ply(const std::string& bytes, const std::filesystem::path& path) { return PlyReader(bytes, path).read(); }
-
-namespace {
-
-/// Writes as vcglib's exporter does, by the same names and types. That one is not used, for in double precision it
-/// writes texture coordinates of vertices in another type than it declares.
-/// Scalar is the type of positions, normals and qualities.
-template <class Scalar>
-class PlyText {
- public:
-  PlyText(const Mesh& mesh, int attributes) : mesh_(mesh), attributes_(attributes) {}
-
-  std::string bytes() {
-    append_header();
-    std::vector<std::int32_t> number(mesh_.vert.size());
-    std::int32_t count = 0;
-    for (std::size_t i = 0; i < mesh_.vert.size(); ++i) {
-      if (mesh_.vert[i].IsD()) continue;
-      number[i] = count++;
-      append_vertex(mesh_.vert[i]);
-    }
-    for (const auto& face : mesh_.face)
-      if (!face.IsD()) append_face(face, number);
-    for (const auto& edge : mesh_.edge)
-      if (has(edges) && !edge.IsD())
-        for (int k = 0; k < 2; ++k) append(number[vcg::tri::Index(mesh_, edge.cV(k))]);
-    return std::move(bytes_);
-  }
-
- private:
-  static constexpr const char* scalar = std::is_same_v<Scalar, float> ? "float" : "double";
-
-  bool has(int attribute) const { return (attributes_ & attribute) != 0; }
-  bool has_pages() const { return has(wedge_texture) && mesh_.textures.size() > 1; }
-
-  void declare(const std::string& type, std::initializer_list<const char*> names) {
-    for (const char* name : names) bytes_ += "property " + type + " " + name + "\n";
-  }
-
-  void append_header() {
-    bytes_ = "ply\nformat binary_little_endian 1.0\n";
-    if (has(vertex_texture | wedge_texture))
-      for (const std::string& texture : mesh_.textures) bytes_ += "comment TextureFile " + texture + "\n";
-    bytes_ += "element vertex " + std::to_string(mesh_.vn) + "\n";
-    declare(scalar, {"x", "y", "z"});
-    if (has(vertex_normal)) declare(scalar, {"nx", "ny", "nz"});
-    if (has(vertex_flags)) declare("int", {"flags"});
-    if (has(vertex_color)) declare("uchar", {"red", "green", "blue", "alpha"});
-    if (has(vertex_quality)) declare(scalar, {"quality"});
-    if (has(vertex_radius)) declare("float", {"radius"});
-    if (has(vertex_texture)) declare("float", {"texture_u", "texture_v"});
-    bytes_ += "element face " + std::to_string(mesh_.fn) + "\n";
-    declare("list uchar int", {"vertex_indices"});
-    if (has(face_flags)) declare("int", {"flags"});
-    if (has(wedge_texture)) declare("list uchar float", {"texcoord"});
-    if (has_pages()) declare("int", {"texnumber"});
-    if (has(face_color)) declare("uchar", {"red", "green", "blue", "alpha"});
-    if (has(face_normal)) declare(scalar, {"nx", "ny", "nz"});
-    if (has(face_quality)) declare(scalar, {"quality"});
-    if (has(edges)) {
-      bytes_ += "element edge " + std::to_string(mesh_.en) + "\n";
-      declare("int", {"vertex1", "vertex2"});
-    }
-    bytes_ += "end_header\n";
-  }
-
-  template <class Value>
-  void append(Value value) {
-    char raw[sizeof value];
-    std::memcpy(raw, &value, sizeof value);
-    if (is_big_endian_machine()) std::reverse(raw, raw + sizeof value);
-    bytes_.append(raw, sizeof value);
-  }
-
-  template <class Point>
-  void append_point(const Point& p) {
-    for (int k = 0; k < 3; ++k) append(static_cast<Scalar>(p[k]));
-  }
-
-  void append_color(const vcg::Color4b& color) {
-    for (int k = 0; k < 4; ++k) append(color[k]);
-  }
-
-  void append_vertex(const detail::VertexD& vertex) {
-    append_point(vertex.cP());
-    if (has(vertex_normal)) append_point(vertex.cN());
-    if (has(vertex_flags)) append(static_cast<std::int32_t>(vertex.cFlags()));
-    if (has(vertex_color)) append_color(vertex.cC());
-    if (has(vertex_quality)) append(static_cast<Scalar>(vertex.cQ()));
-    if (has(vertex_radius)) append(static_cast<float>(vertex.cR()));
-    if (has(vertex_texture)) {
-      append(static_cast<float>(vertex.cT().u()));
-      append(static_cast<float>(vertex.cT().v()));
-    }
-  }
-
-  void append_face(const detail::FaceD& face, const std::vector<std::int32_t>& number) {
-    append(static_cast<unsigned char>(3));
-    for (int k = 0; k < 3; ++k) append(number[vcg::tri::Index(mesh_, face.cV(k))]);
-    if (has(face_flags)) append(static_cast<std::int32_t>(face.cFlags()));
-    if (has(wedge_texture)) {
-      append(static_cast<unsigned char>(6));
-      for (int k = 0; k < 3; ++k) {
-        append(static_cast<float>(face.cWT(k).u()));
-        append(static_cast<float>(face.cWT(k).v()));
-      }
-    }
-    if (has_pages()) append(static_cast<std::int32_t>(face.cWT(0).n()));
-    if (has(face_color)) append_color(face.cC());
-    if (has(face_normal)) append_point(face.cN());
-    if (has(face_quality)) append(static_cast<Scalar>(face.cQ()));
-  }
-
-  const Mesh& mesh_;
-  int attributes_;
-  std::string bytes_;
-};
-
-}  // namespace
-
-std::string ply_bytes(const MeshFile& file) {
-  return file.precision == Precision::double_precision ? PlyText<double>(file.mesh, file.attributes).bytes()
-                                                       : PlyText<float>(file.mesh, file.attributes).bytes();
-}
 
 }  // namespace mesh_tools::io

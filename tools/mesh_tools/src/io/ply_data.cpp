@@ -76,7 +76,11 @@ bool parse_whole(std::string_view word, Type type, double& result) {
 }  // namespace
 
 PlyData::PlyData(const std::string& bytes, const PlyLayout& layout, const std::filesystem::path& path)
-    : layout_(layout), path_(path), at_(bytes.data() + layout.data_offset), end_(bytes.data() + bytes.size()) {}
+    : layout_(layout),
+      path_(path),
+      data_(bytes.data() + layout.data_offset),
+      at_(data_),
+      end_(bytes.data() + bytes.size()) {}
 
 /// As text a number takes a digit and a space.
 std::size_t PlyData::fewest_bytes(Type type) const {
@@ -94,6 +98,7 @@ std::size_t PlyData::most_rows(const PlyLayout::Element& element, const PlyLayou
 void PlyData::read(const PlyLayout::Element& element, std::size_t index, Row& row) {
   element_ = &element;
   index_ = index;
+  row_ = at_;
   row.number.resize(element.properties.size());
   row.list.resize(element.properties.size());
   row.raw.resize(element.properties.size());
@@ -106,6 +111,11 @@ void PlyData::read(const PlyLayout::Element& element, std::size_t index, Row& ro
       row.raw[i] = taken_;
     }
   }
+}
+
+bool PlyData::row_begins_line() const {
+  const char* const first_word = std::find_if(row_, end_, [](char c) { return static_cast<unsigned char>(c) > ' '; });
+  return row_ == data_ || std::any_of(row_, first_word, [](char c) { return c == '\n' || c == '\r'; });
 }
 
 void PlyData::read_list(const PlyLayout::Property& property, std::vector<double>& list) {

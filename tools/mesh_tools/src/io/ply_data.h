@@ -26,6 +26,12 @@ class PlyData {
   /// Reads row `index` of `element`; to be called for all rows in the order of the file.
   void read(const PlyLayout::Element& element, std::size_t index, Row& row);
 
+  /// Of text: whether the last row begins a line, as every row does in a sound file.
+  bool row_begins_line() const;
+
+  /// How many bytes of the file are behind the last row.
+  std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
+
   /// How many rows of `element` what is left of the file can hold, if `list` has at least so many entries in each.
   std::size_t most_rows(const PlyLayout::Element& element, const PlyLayout::Property* list = nullptr,
                         std::size_t entries = 0) const;
@@ -44,7 +50,8 @@ class PlyData {
 
   const PlyLayout& layout_;
   const std::filesystem::path& path_;
-  const char *at_, *end_;
+  const char *data_, *at_, *end_;
+  const char* row_ = nullptr;                    // where the last row begins
   std::string_view taken_;                       // bytes of the last number
   const PlyLayout::Element* element_ = nullptr;  // where fail_here() is
   std::size_t index_ = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <optional>
 #include <string_view>
 
@@ -76,20 +77,66 @@ const PlyLayout::Element* PlyLayout::find(const std::string& element) const {
   return nullptr;
 }
 
+namespace {
+
+/// Whether a header line of an unknown word seems to declare something: then it cannot be passed over.
+bool may_declare(const Words& words) {
+  constexpr std::string_view keywords[] = {"format", "element", "property", "list", "vertex", "face", "end_header"};
+  return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+    return type_of(word) || std::find(std::begin(keywords), std::end(keywords), word) != std::end(keywords);
+  });
+}
+
+/// The lines of a header. They end in LF, CR LF or CR; the first tells which, for behind the last anything may come.
+class HeaderLines {
+ public:
+  HeaderLines(const std::string& bytes, const std::filesystem::path& path)
+      : bytes_(bytes), path_(path), at_(byte_order_mark(bytes)) {}
+
+  std::string_view next() {
+    const auto [line, size] = first_line(std::string_view(bytes_).substr(at_));
+    if (size == line.size()) fail(path_, "has no PLY header that ends with 'end_header'");
+    if (!knows_end_ && !line.empty()) {
+      knows_end_ = true;
+      ends_in_cr_ = bytes_[at_ + size - 1] == '\r';
+    }
+    at_ += ends_in_cr_ ? line.size() + 1 : size;
+    ++number_;
+    return line;
+  }
+
+  std::size_t number() const { return number_; }
+  std::size_t at() const { return at_; }
+
+ private:
+  const std::string& bytes_;
+  const std::filesystem::path& path_;
+  bool knows_end_ = false, ends_in_cr_ = false;
+  std::size_t at_, number_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::string_view> texture_names(const PlyLayout& layout) {
+  constexpr std::string_view keyword = "TextureFile ";
+  std::vector<std::string_view> names;
+  for (const std::string_view comment : layout.comments)
+    if (comment.substr(0, keyword.size()) == keyword) names.push_back(comment.substr(keyword.size()));
+  return names;
+}
+
 PlyLayout parse_ply_header(const std::string& bytes, const std::filesystem::path& path) {
   PlyLayout layout;
-  bool has_format = false;
-  std::size_t at = 0;
+  bool has_format = false, has_begun = false;
+  HeaderLines lines(bytes, path);
   for (;;) {
-    const std::size_t end = bytes.find('\n', at);
-    if (end == std::string::npos || end - at > 4096) fail(path, "has no PLY header that ends with 'end_header'");
-    std::string_view line(bytes.data() + at, end - at);
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    at = end + 1;
-    const std::size_t number = ++layout.header_lines;
+    const std::string_view line = lines.next();
+    const std::size_t number = lines.number();
     const Words words = words_of(line);
-    if (number == 1) {
+    if (!has_begun) {
+      if (words.empty()) continue;
       if (words.size() != 1 || words[0] != "ply") fail(path, "is not a PLY file: its first line is not 'ply'");
+      has_begun = true;
       continue;
     }
     if (words.empty()) continue;
@@ -98,7 +145,7 @@ PlyLayout parse_ply_header(const std::string& bytes, const std::filesystem::path
     if (number > most_lines) bad("the header has more than " + std::to_string(most_lines) + " lines");
     if (words[0] == "end_header") break;
     if (words[0] == "comment" || words[0] == "obj_info") {
-      layout.comments.emplace_back(line.substr(std::min(line.size(), words[0].size() + 1)));
+      layout.comments.push_back(line.substr(std::min(line.size(), words[0].size() + 1)));
     } else if (words[0] == "format") {
       if (words.size() < 2) bad("the format is missing");
       if (words[1] == "ascii")
@@ -128,15 +175,18 @@ PlyLayout parse_ply_header(const std::string& bytes, const std::filesystem::path
       PlyLayout::Element& element = layout.elements.back();
       if (element.find(std::string(words.back()))) bad("property '" + printable(words.back()) + "' is declared twice");
       element.properties.push_back({std::string(words.back()), *type, is_list, *count_type});
-    } else {
+    } else if (may_declare(words)) {
       bad("unknown word '" + printable(words[0]) + "' in the header");
+    } else {
+      layout.warnings.push_back("line " + std::to_string(number) + " of the header, '" + printable(line) +
+                                "', declares nothing and is passed over");
     }
   }
   if (!has_format) fail(path, "its PLY header has no format line");
   for (const auto& element : layout.elements)
     if (element.count > 0 && element.properties.empty())
       fail(path, "declares element '" + element.name + "' without any property");
-  layout.data_offset = at;
+  layout.data_offset = lines.at();
   return layout;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mesh_tools::io {
@@ -28,17 +29,21 @@ struct PlyLayout {
 
   Format format = Format::ascii;
   std::vector<Element> elements;
-  std::vector<std::string> comments;
+  std::vector<std::string_view> comments;  ///< and obj_info; parts of the file
   std::size_t data_offset = 0;
-  std::size_t header_lines = 0;
+  std::vector<std::string> warnings;  ///< what is odd about the header, without the file's name
 
   const Element* find(const std::string& element) const;
 };
 
+/// Names of texture files, which stand in comments; parts of the file.
+std::vector<std::string_view> texture_names(const PlyLayout& layout);
+
 bool is_whole(PlyLayout::Type type);
 std::size_t size_of(PlyLayout::Type type);
 
-/// Reads the header and throws FileError where it is not one.
+/// Reads the header and throws FileError where it is not one. Passed over are a byte order mark, empty lines before the
+/// word ply, and lines that declare nothing.
 PlyLayout parse_ply_header(const std::string& bytes, const std::filesystem::path& path);
 
 }  // namespace mesh_tools::io

@@ -12,7 +12,8 @@ namespace mesh_tools::io {
 /// What a property says of a vertex or a face.
 enum class Role { none, x, y, z, nx, ny, nz, flags, quality, radius, red, green, blue, alpha, gray, u, v, page };
 
-enum class Kind { real, whole, byte };
+/// Colours may be of any type but the one in which 255 is -1.
+enum class Kind { real, whole, number, color };
 
 struct KnownProperty {
   const char* name;
@@ -20,9 +21,9 @@ struct KnownProperty {
   Kind kind;
 };
 /// The first of several properties with one role is the one that counts.
-inline constexpr KnownProperty known_of_vertex[] = {{"x", Role::x, Kind::real},
-                                                    {"y", Role::y, Kind::real},
-                                                    {"z", Role::z, Kind::real},
+inline constexpr KnownProperty known_of_vertex[] = {{"x", Role::x, Kind::number},
+                                                    {"y", Role::y, Kind::number},
+                                                    {"z", Role::z, Kind::number},
                                                     {"nx", Role::nx, Kind::real},
                                                     {"ny", Role::ny, Kind::real},
                                                     {"nz", Role::nz, Kind::real},
@@ -30,32 +31,43 @@ inline constexpr KnownProperty known_of_vertex[] = {{"x", Role::x, Kind::real},
                                                     {"quality", Role::quality, Kind::real},
                                                     {"confidence", Role::quality, Kind::real},
                                                     {"radius", Role::radius, Kind::real},
-                                                    {"red", Role::red, Kind::byte},
-                                                    {"green", Role::green, Kind::byte},
-                                                    {"blue", Role::blue, Kind::byte},
-                                                    {"alpha", Role::alpha, Kind::byte},
-                                                    {"diffuse_red", Role::red, Kind::byte},
-                                                    {"diffuse_green", Role::green, Kind::byte},
-                                                    {"diffuse_blue", Role::blue, Kind::byte},
-                                                    {"diffuse_alpha", Role::alpha, Kind::byte},
+                                                    {"red", Role::red, Kind::color},
+                                                    {"green", Role::green, Kind::color},
+                                                    {"blue", Role::blue, Kind::color},
+                                                    {"alpha", Role::alpha, Kind::color},
+                                                    {"r", Role::red, Kind::color},
+                                                    {"g", Role::green, Kind::color},
+                                                    {"b", Role::blue, Kind::color},
+                                                    {"a", Role::alpha, Kind::color},
+                                                    {"diffuse_red", Role::red, Kind::color},
+                                                    {"diffuse_green", Role::green, Kind::color},
+                                                    {"diffuse_blue", Role::blue, Kind::color},
+                                                    {"diffuse_alpha", Role::alpha, Kind::color},
                                                     {"intensity", Role::gray, Kind::real},
                                                     {"texture_u", Role::u, Kind::real},
                                                     {"texture_v", Role::v, Kind::real},
+                                                    {"u", Role::u, Kind::real},
+                                                    {"v", Role::v, Kind::real},
                                                     {"s", Role::u, Kind::real},
-                                                    {"t", Role::v, Kind::real}};
+                                                    {"t", Role::v, Kind::real},
+                                                    {"texcoord_u", Role::u, Kind::real},
+                                                    {"texcoord_v", Role::v, Kind::real}};
 inline constexpr KnownProperty known_of_face[] = {
-    {"flags", Role::flags, Kind::whole}, {"quality", Role::quality, Kind::real}, {"texnumber", Role::page, Kind::whole},
-    {"red", Role::red, Kind::byte},      {"green", Role::green, Kind::byte},     {"blue", Role::blue, Kind::byte},
-    {"alpha", Role::alpha, Kind::byte},  {"nx", Role::nx, Kind::real},           {"ny", Role::ny, Kind::real},
-    {"nz", Role::nz, Kind::real}};
+    {"flags", Role::flags, Kind::whole},    {"quality", Role::quality, Kind::real},
+    {"texnumber", Role::page, Kind::whole}, {"red", Role::red, Kind::color},
+    {"green", Role::green, Kind::color},    {"blue", Role::blue, Kind::color},
+    {"alpha", Role::alpha, Kind::color},    {"r", Role::red, Kind::color},
+    {"g", Role::green, Kind::color},        {"b", Role::blue, Kind::color},
+    {"a", Role::alpha, Kind::color},        {"nx", Role::nx, Kind::real},
+    {"ny", Role::ny, Kind::real},           {"nz", Role::nz, Kind::real}};
 
 bool is_of_kind(PlyLayout::Type type, Kind kind);
 
+/// Names of one letter may mean anything: r, g, b and u, v only mean what they say where all of them are there.
+bool is_meant(const PlyLayout::Element& element, const std::string& name);
+
 /// Whether a property lists the corners of a face.
 bool is_corner_list(const PlyLayout::Property& property);
-
-/// A fraction of 255 as a byte; 0 if it is not a number.
-unsigned char to_byte(double value);
 
 /// The roles of an element's numbers, by index of property.
 class Roles {
@@ -66,7 +78,7 @@ class Roles {
       for (std::size_t i = 0; i < roles_.size(); ++i) {
         const PlyLayout::Property& property = element.properties[i];
         if (!property.is_list && property.name == known.name && is_of_kind(property.type, known.kind) &&
-            !has(known.role))
+            !has(known.role) && is_meant(element, property.name))
           roles_[i] = known.role;
       }
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 
 #include <mesh_tools/mesh_io.h>
@@ -15,9 +16,16 @@ struct SpliceInput {
   bool recolored = false;             ///< whether colours and qualities of vertices may have changed too
 };
 
+/// What moved cannot be put into the file as it is; what() is a sentence without the file's name.
+class NoRoom : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// All four throw FileError where the bytes do not fit the mesh.
-std::string splice_ply(std::string bytes, const SpliceInput& input);
-/// @param out  where the result goes: the material file's path is made relative to it
+/// @param out  where the result goes: names of textures, and of material files, are made relative to it
+/// @throws NoRoom
+std::string splice_ply(std::string bytes, const SpliceInput& input, const std::filesystem::path& out);
 std::string splice_obj(std::string bytes, const SpliceInput& input, const std::filesystem::path& out);
 std::string splice_off(std::string bytes, const SpliceInput& input);
 std::string splice_stl(std::string bytes, const SpliceInput& input);

@@ -8,9 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "../colors.h"
+#include "../file_names.h"
 #include "../formats.h"
 #include "../text.h"
-#include "material_paths.h"
 #include "moved_normals.h"
 #include "text_splicer.h"
 
@@ -36,7 +37,7 @@ class ObjSplicer {
   std::string splice() {
     read();
     if (!old_normals_.empty()) renew_normals();
-    LineReader reader(bytes_, input_.path);
+    LineReader reader(bytes_, input_.path, Comments::outside_names);
     std::size_t vertex = 0, normal = 0;
     while (reader.next(words_)) {
       if (words_[0] == "v")
@@ -56,7 +57,7 @@ class ObjSplicer {
 
   /// Finds what vertices and normals were, and how faces refer to them.
   void read() {
-    LineReader reader(bytes_, input_.path);
+    LineReader reader(bytes_, input_.path, Comments::outside_names);
     while (reader.next(words_)) {
       const bool is_vertex = words_[0] == "v";
       if ((is_vertex || words_[0] == "vn") && words_.size() < 4) reader.fail("has fewer than 3 numbers");
@@ -116,15 +117,11 @@ class ObjSplicer {
     if (input_.recolored && words_.size() >= 7) put_color(reader, vertex.cC());
   }
 
-  /// In the form that the line has: fractions, or whole numbers up to 255.
   void put_color(const LineReader& reader, const vcg::Color4b& now) {
-    const bool fractions = std::all_of(words_.begin() + 4, words_.begin() + 7,
-                                       [&](std::string_view word) { return reader.number(word) <= 1; });
-    const double scale = fractions ? 255 : 1;
+    const double scale = input_.file.color_scale;
     for (int k = 0; k < 3; ++k) {
       const std::string_view word = number_word(4, k);
-      const double before = std::clamp(reader.number(word) * scale, 0.0, 255.0);
-      if (std::lround(before) != now[k]) text_.replace_number(word, std::nan(""), now[k] / scale);
+      if (color_byte(scale * reader.number(word)) != now[k]) text_.replace_number(word, std::nan(""), now[k] / scale);
     }
   }
 
@@ -136,10 +133,8 @@ class ObjSplicer {
 
   /// All that is behind the word: a name may hold spaces.
   void put_material_names() {
-    const char* const first = words_[1].data();
-    const char* const last = words_.back().data() + words_.back().size();
-    const std::string_view names(first, static_cast<std::size_t>(last - first));
-    if (names.find('\n') != names.npos) return;  // a continued line
+    const std::string_view names = span(words_, 1);
+    if (names.find_first_of("\r\n") != names.npos) return;  // a continued line
     text_.replace(names, moved_material_names(names, input_.path.parent_path(), out_.parent_path()));
   }
 

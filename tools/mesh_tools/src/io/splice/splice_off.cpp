@@ -1,11 +1,10 @@
 #include "splice.h"
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string_view>
 #include <vector>
 
+#include "../colors.h"
 #include "../formats.h"
 #include "../off_header.h"
 #include "../text.h"
@@ -28,33 +27,27 @@ class OffSplicer {
       : bytes_(bytes), input_(input), mesh_(input.file.mesh), text_(bytes) {}
 
   std::string splice() {
-    LineReader header_reader(bytes_, input_.path);
-    header_ = read_off_header(header_reader);
-    check_same_count(input_.path, "vertices", mesh_.vert.size(), static_cast<std::size_t>(header_.vertices));
-    if (header_.normals) renew_normals(header_reader);
-    LineReader reader(bytes_, input_.path);
+    LineReader first_reader(bytes_, input_.path), reader(bytes_, input_.path);
+    header_ = read_off_header(first_reader);
     read_off_header(reader);
+    check_same_count(input_.path, "vertices", mesh_.vert.size(), static_cast<std::size_t>(header_.vertices));
+    if (header_.normals) renew_normals(first_reader);
+    OffRows rows(reader, header_, input_.file.free_layout);
     for (std::size_t i = 0; i < mesh_.vert.size(); ++i) {
-      next_vertex(reader, i);
+      rows.next_vertex(words_);
       put_point(0, point(reader, words_, 0), mesh_.vert[i].cP());
       if (normals_)
         if (const auto normal = normals_->normal(i)) put_point(3, old_normals_[i], *normal);
-      if (input_.recolored && header_.colors) put_color(reader, mesh_.vert[i].cC());
+      if (input_.recolored && header_.colors) put_color(reader, rows, mesh_.vert[i].cC());
     }
     return text_.finish();
   }
 
  private:
-  void next_vertex(LineReader& reader, std::size_t index) {
-    if (!reader.next(words_)) check_same_count(input_.path, "vertices", mesh_.vert.size(), index);
-    if (words_.size() < first_color()) reader.fail("a vertex has too few numbers");
-  }
-
-  std::size_t first_color() const { return header_.normals ? 6 : 3; }
-
   void renew_normals(LineReader& reader) {
+    OffRows rows(reader, header_, input_.file.free_layout);
     for (std::size_t i = 0; i < mesh_.vert.size(); ++i) {
-      next_vertex(reader, i);
+      rows.next_vertex(words_);
       vertices_.add(point(reader, words_, 0), mesh_.vert[i].cP());
       old_normals_.push_back(point(reader, words_, 3));
     }
@@ -67,19 +60,17 @@ class OffSplicer {
     for (int k = 0; k < 3; ++k) text_.replace_number(words_[first + static_cast<std::size_t>(k)], before[k], now[k]);
   }
 
-  /// In the form that the line has: fractions with a point, or whole numbers up to 255.
-  void put_color(const LineReader& reader, const vcg::Color4b& now) {
-    const std::size_t first = first_color(), texture = header_.texture ? 2 : 0;
-    if (words_.size() < first + texture + 3 || words_.size() > first + texture + 4) return;
-    const std::size_t last = words_.size() - texture;
-    bool fractions = false;
-    for (std::size_t i = first; i < last; ++i) fractions |= words_[i].find('.') != std::string_view::npos;
+  /// In the form that the file has: fractions with a point, or whole numbers up to 255.
+  void put_color(const LineReader& reader, const OffRows& rows, const vcg::Color4b& now) {
+    const std::size_t first = rows.before_color(), last = words_.size() - rows.behind_color();
+    if (last < first + 3 || last > first + 4) return;
+    const double scale = input_.file.color_scale;
     for (std::size_t i = first; i < last; ++i) {
       const unsigned char byte = now[static_cast<int>(i - first)];
-      if (std::lround(reader.number(words_[i]) * (fractions ? 255 : 1)) == byte) continue;
+      if (color_byte(scale * reader.number(words_[i])) == byte) continue;
       std::string number;
-      append_number(number, fractions ? byte / 255.0 : byte);
-      if (fractions && number.find('.') == std::string::npos) number += ".0";
+      append_number(number, byte / scale);
+      if (scale != 1 && number.find('.') == std::string::npos) number += ".0";
       text_.replace(words_[i], number);
     }
   }

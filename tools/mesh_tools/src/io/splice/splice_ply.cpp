@@ -1,11 +1,16 @@
 #include "splice.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "../colors.h"
+#include "../file_names.h"
 #include "../formats.h"
 #include "../ply_data.h"
 #include "../ply_roles.h"
@@ -41,43 +46,65 @@ class PlyNumbers {
       case Type::float64:
         return put(raw, before, now);
       default:
-        return put_byte(raw, static_cast<unsigned char>(before), static_cast<unsigned char>(now));
+        return put_whole(raw, type, before, now);
     }
   }
 
-  std::string finish() { return is_text_ ? text_.finish() : std::move(bytes_); }
+  /// Puts a text in the place of another in the header; to be called before all numbers are replaced, from its
+  /// beginning to its end.
+  void replace_in_header(std::string_view text, const std::string& by) {
+    if (is_text_) return text_.replace(text, by);
+    header_.emplace_back(static_cast<std::size_t>(text.data() - bytes_.data()), text.size(), by);
+  }
+
+  std::string finish() {
+    if (is_text_) return text_.finish();
+    for (auto change = header_.rbegin(); change != header_.rend(); ++change)
+      bytes_.replace(std::get<0>(*change), std::get<1>(*change), std::get<2>(*change));
+    return std::move(bytes_);
+  }
 
  private:
   template <class Real>
   void put(std::string_view raw, Real before, Real now) {
     if (is_text_) return text_.replace_number(raw, before, now);
-    if (is_same_number(before, now)) return;
-    char binary[sizeof now];
-    std::memcpy(binary, &now, sizeof now);
-    if ((format_ == PlyLayout::Format::big_endian) != is_big_endian_machine())
-      std::reverse(binary, binary + sizeof now);
-    std::memcpy(bytes_.data() + (raw.data() - bytes_.data()), binary, sizeof now);
+    if (!is_same_number(before, now)) put_binary(raw, now);
   }
 
-  void put_byte(std::string_view raw, unsigned char before, unsigned char now) {
-    if (before == now) return;
-    if (is_text_)
-      text_.replace(raw, std::to_string(now));
+  void put_whole(std::string_view raw, Type type, double before, double now) {
+    const auto number = static_cast<std::uint32_t>(std::llround(now));
+    if (static_cast<double>(number) == before) return;
+    if (is_text_) return text_.replace(raw, std::to_string(number));
+    if (size_of(type) == 1)
+      put_binary(raw, static_cast<std::uint8_t>(number));
+    else if (size_of(type) == 2)
+      put_binary(raw, static_cast<std::uint16_t>(number));
     else
-      bytes_[static_cast<std::size_t>(raw.data() - bytes_.data())] = static_cast<char>(now);
+      put_binary(raw, number);
+  }
+
+  template <class Number>
+  void put_binary(std::string_view raw, Number number) {
+    char binary[sizeof number];
+    std::memcpy(binary, &number, sizeof number);
+    if ((format_ == PlyLayout::Format::big_endian) != is_big_endian_machine())
+      std::reverse(binary, binary + sizeof number);
+    std::memcpy(bytes_.data() + (raw.data() - bytes_.data()), binary, sizeof number);
   }
 
   std::string& bytes_;
   PlyLayout::Format format_;
   bool is_text_;
   TextSplicer text_;
+  std::vector<std::tuple<std::size_t, std::size_t, std::string>> header_;  // of binary files: where, how long, by what
 };
 
 class PlySplicer {
  public:
-  PlySplicer(std::string& bytes, const SpliceInput& input)
+  PlySplicer(std::string& bytes, const SpliceInput& input, const std::filesystem::path& out)
       : bytes_(bytes),
         input_(input),
+        out_(out),
         mesh_(input.file.mesh),
         layout_(parse_ply_header(bytes, input.path)),
         numbers_(bytes, layout_.format) {}
@@ -91,6 +118,7 @@ class PlySplicer {
     const bool face_normals = face && face->count > 0 && Roles(*face, known_of_face).has_normal();
     if (vertex_normals || face_normals) find_moved(*vertex);
     if (vertex_normals) renew_vertex_normals();
+    put_texture_names();
     PlyData data(bytes_, layout_, input_.path);
     std::size_t left = face_normals ? 2 : 1;  // elements with numbers to replace
     for (const Element& element : layout_.elements) {
@@ -137,6 +165,11 @@ class PlySplicer {
     }
   }
 
+  void put_texture_names() {
+    for (const std::string_view name : texture_names(layout_))
+      numbers_.replace_in_header(name, moved_file_name(name, input_.path.parent_path(), out_.parent_path()));
+  }
+
   void renew_vertex_normals() {
     normals_.emplace(mesh_, vertices_, old_normals_);
     normals_->add_triangles();
@@ -152,7 +185,7 @@ class PlySplicer {
         case Role::x:
         case Role::y:
         case Role::z:
-          put(element, p, vertex.cP()[static_cast<int>(role) - static_cast<int>(Role::x)]);
+          put_coordinate(element, p, vertex.cP()[static_cast<int>(role) - static_cast<int>(Role::x)]);
           break;
         case Role::nx:
         case Role::ny:
@@ -163,6 +196,12 @@ class PlySplicer {
           if (input_.recolored) put_color(element, p, role, vertex);
       }
     }
+  }
+
+  void put_coordinate(const Element& element, std::size_t property, double now) {
+    if (is_whole(element.properties[property].type) && row_.number[property] != now)
+      throw NoRoom("its coordinates are whole numbers; those of the result are not, so it is written anew");
+    put(element, property, now);
   }
 
   void put_color(const Element& element, std::size_t property, Role role, const detail::VertexD& vertex) {
@@ -179,10 +218,13 @@ class PlySplicer {
       case Role::green:
       case Role::blue:
       case Role::alpha:
-        put(element, property, vertex.cC()[static_cast<int>(role) - static_cast<int>(Role::red)]);
+        if (const unsigned char now = vertex.cC()[static_cast<int>(role) - static_cast<int>(Role::red)]; true) {
+          const double scale = element.properties[property].type == Type::uint8 ? 1 : input_.file.color_scale;
+          if (color_byte(scale * before) != now) put(element, property, now / scale);
+        }
         break;
       case Role::gray:
-        if (to_byte(255 * before) != vertex.cC()[0]) put(element, property, vertex.cC()[0] / 255.0);
+        if (color_byte(255 * before) != vertex.cC()[0]) put(element, property, vertex.cC()[0] / 255.0);
         break;
       default:
         break;
@@ -214,6 +256,7 @@ class PlySplicer {
 
   std::string& bytes_;
   const SpliceInput& input_;
+  const std::filesystem::path& out_;
   const Mesh& mesh_;
   PlyLayout layout_;
   PlyNumbers numbers_;
@@ -226,6 +269,8 @@ class PlySplicer {
 
 }  // namespace
 
-std::string splice_ply(std::string bytes, const SpliceInput& input) { return PlySplicer(bytes, input).splice(); }
+std::string splice_ply(std::string bytes, const SpliceInput& input, const std::filesystem::path& out) {
+  return PlySplicer(bytes, input, out).splice();
+}
 
 }  // namespace mesh_tools::io

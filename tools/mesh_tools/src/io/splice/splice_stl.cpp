@@ -44,9 +44,9 @@ void reverse_on_big_endian(char (&raw)[floats * sizeof(float)]) {
 }
 
 /// In the bytes themselves.
-std::string splice_binary(std::string bytes, const SpliceInput& input) {
+std::string splice_binary(std::string bytes, std::size_t facets, const SpliceInput& input) {
   const Mesh& mesh = input.file.mesh;
-  check_same_count(input.path, "facets", mesh.face.size(), (bytes.size() - stl_header_size) / stl_facet_size);
+  check_same_count(input.path, "facets", mesh.face.size(), facets);
   for (std::size_t f = 0; f < mesh.face.size(); ++f) {
     char* const at = bytes.data() + stl_header_size + f * stl_facet_size;
     char raw[floats * sizeof(float)];
@@ -78,21 +78,28 @@ std::string splice_text(const std::string& bytes, const SpliceInput& input) {
   std::vector<std::string_view> words;
   std::array<std::string_view, floats> facet;
   Numbers before{};
-  std::size_t found = 0, next = 0;
+  std::size_t found = 0, next = 0, first = 0;
   while (reader.next(words)) {
-    const bool is_facet = words[0] == "facet", is_vertex = words[0] == "vertex";
-    if (!is_facet && !is_vertex) continue;
-    if (is_facet) next = 0;
-    const std::size_t first = is_facet ? 2 : 1;
-    if (words.size() != first + 3 || next + 3 > floats) reader.fail("is no facet normal or vertex of 3 numbers");
+    const StlKeyword keyword = stl_keyword(words[0]);
+    if (keyword == StlKeyword::facet) {
+      // A facet may have no normal, or something else in its place.
+      first = words.size() < 5 ? 3 : 0;
+      next = 3;
+      for (std::size_t k = 0; k < 3 && first == 0; ++k) {
+        facet[k] = words[2 + k];
+        before[k] = normal_number(facet[k]);
+      }
+    }
+    if (keyword != StlKeyword::vertex) continue;
+    if (words.size() < 4 || next + 3 > floats) reader.fail("is no vertex of 3 numbers, or one too many");
     for (std::size_t k = 0; k < 3; ++k, ++next) {
-      facet[next] = words[first + k];
-      before[next] = is_facet ? normal_number(facet[next]) : static_cast<float>(reader.number(facet[next]));
+      facet[next] = words[1 + k];
+      before[next] = static_cast<float>(reader.number(facet[next]));
     }
     if (next < floats) continue;
     if (found < mesh.face.size()) {
       const Numbers now = moved_facet(before, mesh.face[found]);
-      for (std::size_t i = 0; i < floats; ++i) text.replace_number(facet[i], before[i], now[i]);
+      for (std::size_t i = first; i < floats; ++i) text.replace_number(facet[i], before[i], now[i]);
     }
     ++found;
   }
@@ -103,7 +110,8 @@ std::string splice_text(const std::string& bytes, const SpliceInput& input) {
 }  // namespace
 
 std::string splice_stl(std::string bytes, const SpliceInput& input) {
-  return is_binary_stl(bytes) ? splice_binary(std::move(bytes), input) : splice_text(bytes, input);
+  const StlLayout layout = stl_layout(bytes);
+  return layout.is_binary ? splice_binary(std::move(bytes), layout.facets, input) : splice_text(bytes, input);
 }
 
 }  // namespace mesh_tools::io

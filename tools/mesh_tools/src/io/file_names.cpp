@@ -1,4 +1,4 @@
-#include "material_paths.h"
+#include "file_names.h"
 
 #include <algorithm>
 #include <system_error>
@@ -17,7 +17,13 @@ fs::path as_path(std::string_view name) {
 
 class Mover {
  public:
-  Mover(const fs::path& from_folder, const fs::path& to_folder) : from_(from_folder), to_(to_folder) {}
+  Mover(const fs::path& from_folder, const fs::path& to_folder)
+      : from_(from_folder.empty() ? "." : from_folder), to_(to_folder.empty() ? "." : to_folder) {}
+
+  bool is_needed() const {
+    std::error_code error;
+    return !fs::equivalent(from_, to_, error) && !error;
+  }
 
   bool is_file(std::string_view name) const {
     std::error_code error;
@@ -30,7 +36,9 @@ class Mover {
     if (path.is_absolute()) return std::string(name);
     const fs::path folder = fs::relative((from_ / path).parent_path(), to_, error);
     if (error || folder.empty()) return std::string(name);
-    return (folder / path.filename()).lexically_normal().generic_string();
+    const std::string result = (folder / path.filename()).lexically_normal().generic_string();
+    const auto is_control = [](unsigned char c) { return c < ' '; };  // of a folder: no text format could hold it
+    return std::any_of(result.begin(), result.end(), is_control) ? std::string(name) : result;
   }
 
  private:
@@ -39,11 +47,14 @@ class Mover {
 
 }  // namespace
 
+std::string moved_file_name(std::string_view name, const fs::path& from_folder, const fs::path& to_folder) {
+  const Mover mover(from_folder, to_folder);
+  return !name.empty() && mover.is_needed() && mover.is_file(name) ? mover.moved(name) : std::string(name);
+}
+
 std::string moved_material_names(std::string_view names, const fs::path& from_folder, const fs::path& to_folder) {
-  const fs::path from = from_folder.empty() ? "." : from_folder, to = to_folder.empty() ? "." : to_folder;
-  std::error_code error;
-  if (names.empty() || fs::equivalent(from, to, error) || error) return std::string(names);
-  const Mover mover(from, to);
+  const Mover mover(from_folder, to_folder);
+  if (names.empty() || !mover.is_needed()) return std::string(names);
   constexpr const char* blanks = " \t\r\v\f";
   const bool is_one = names.find_first_of(blanks) == std::string_view::npos;
   if (is_one || mover.is_file(names)) return mover.moved(names);
