@@ -26,11 +26,18 @@ inline void write_result(const mesh_tools::MeshFile& file, const std::string& pa
   result_is_in_place();
 }
 
-/// The same for a mesh that was read and whose vertices have moved; see mesh_tools::write_moved().
-inline void write_moved_result(mesh_tools::MeshFile& file, mesh_tools::OriginalFile original, const std::string& path,
+/// The same as write_output for a mesh that was read and whose vertices have moved; see mesh_tools::write_moved().
+inline void write_moved_output(mesh_tools::MeshFile& file, mesh_tools::OriginalFile original, const std::string& path,
                                bool recolored = false, const mesh_tools::TextFile* with = nullptr) {
   const CooperativeInterrupt scope;
   print_warnings(mesh_tools::write_moved(file, std::move(original), path, recolored, interrupted, with));
+}
+
+/// The same as write_result for such a mesh.
+inline void write_moved_result(mesh_tools::MeshFile& file, mesh_tools::OriginalFile original, const std::string& path,
+                               bool recolored = false, const mesh_tools::TextFile* with = nullptr) {
+  const CooperativeInterrupt scope;
+  write_moved_output(file, std::move(original), path, recolored, with);
   result_is_in_place();
 }
 

@@ -12,6 +12,7 @@
 #include "interrupt.h"
 #include "json_figures.h"
 #include "limit_options.h"
+#include "many_files.h"
 #include "mesh_output.h"
 #include "parameter_options.h"
 #include "progress_bar.h"
@@ -20,12 +21,14 @@
 namespace anisosmooth {
 namespace {
 
+using nlohmann::ordered_json;
 using vcg_core::MethodInfo;
 using vcg_core::SmoothingParameters;
 using vcg_core::SmoothingReport;
 
 struct Options {
-  std::string input, output, report;
+  FileArguments files;
+  std::string report;
   std::string method = "paper";
   ParameterOptions parameters;
   LimitOptions limits;
@@ -52,7 +55,7 @@ bool has_selection(const mesh_tools::Mesh& mesh) {
   return false;
 }
 
-void print_summary(const Options& options, const MethodInfo& method, const SmoothingReport& report) {
+void print_summary(const std::string& output, const MethodInfo& method, const SmoothingReport& report) {
   std::cout << method.title << "\n";
   std::cout << "average edge length " << report.average_edge_length;
   if (report.sigma_c_length > 0) std::cout << ", sigma_c " << report.sigma_c_length;
@@ -67,56 +70,79 @@ void print_summary(const Options& options, const MethodInfo& method, const Smoot
   if (report.flipped_faces > 0) std::cout << "; faces turned over " << report.flipped_faces;
   if (report.bounded_vertices > 0) std::cout << "; vertices held back " << report.bounded_vertices;
   if (report.self_intersections) std::cout << "; faces that cut through others " << *report.self_intersections;
-  std::cout << "\nwritten to " << options.output << "\n";
+  std::cout << "\nwritten to " << output << "\n";
 }
 
-void check_report_path(const Options& options) {
-  if (options.report.empty()) return;
+void check_report_path(const std::string& report, const std::vector<FilePair>& pairs) {
+  if (report.empty()) return;
   namespace fs = std::filesystem;
   const auto place = [](const fs::path& path) {
     return fs::weakly_canonical(fs::absolute(durable_files::final_target(path)));
   };
-  for (const std::string& mesh : {options.input, options.output})
-    for (const fs::path& file : mesh_tools::files_of(mesh))
-      if (place(options.report) == place(file))
-        throw BadValue("report is '" + options.report +
-                       "'; it must be another file than the meshes and their materials");
-  mesh_tools::check_text_writable(options.report);
+  for (const FilePair& pair : pairs)
+    for (const std::string& mesh : {pair.input, pair.output})
+      for (const fs::path& file : mesh_tools::files_of(mesh))
+        if (place(report) == place(file))
+          throw BadValue("report is '" + report + "'; it must be another file than the meshes and their materials");
+  mesh_tools::check_text_writable(report);
+}
+
+struct Smoothed {
+  mesh_tools::MeshFile file;
+  mesh_tools::OriginalFile original;
+  SmoothingReport report;
+  ordered_json json;
+};
+
+Smoothed smooth_input(const Options& options, const FilePair& pair, const MethodInfo& method,
+                      SmoothingParameters parameters, const vcg_core::Progress& progress) {
+  mesh_tools::check_writable(pair.output);
+  Smoothed result;
+  result.file = read_input(pair.input, &result.original);
+  for (const vcg_core::ParameterInfo& row : method.parameters) {
+    if (!row.values.by_selection || options.parameters.given(row) || !has_selection(result.file.mesh)) continue;
+    row.set(parameters, 1);
+    if (!options.quiet)
+      std::cerr << pair.input << ": has a selection: only selected vertices move (--no-selected moves all)\n";
+  }
+  std::vector<double> weights = weights_of(options.limits, result.file, result.original);
+  const CooperativeInterrupt scope;
+  result.report =
+      smooth_file(result.file, method.method, parameters, progress, options.limits.limits, std::move(weights)).report;
+  result.json = {{"method", method.name}, {"parameters", to_json(method, parameters)}};
+  add_limits(options.limits, result.json["parameters"]);
+  result.json.update(to_json(result.report));
+  return result;
+}
+
+void run_one(const Options& options, const FilePair& pair, const MethodInfo& method,
+             const SmoothingParameters& parameters) {
+  Smoothed result;
+  {
+    ProgressBar bar(options.quiet);
+    result = smooth_input(options, pair, method, parameters, bar.callback());
+  }
+  std::optional<mesh_tools::TextFile> text;
+  if (!options.report.empty()) text = {options.report, json_text(result.json)};
+  write_moved_result(result.file, std::move(result.original), pair.output, parameters.smooth_color,
+                     text ? &*text : nullptr);
+  print_warnings(result.report.warnings());
+  if (!options.quiet) print_summary(pair.output, method, result.report);
 }
 
 void run(const Options& options) {
   const MethodInfo& method = chosen_method(options);
-  SmoothingParameters parameters = options.parameters.applied_to(method);
+  const SmoothingParameters parameters = options.parameters.applied_to(method);
   print_warnings(options.parameters.without_effect(method));
   options.limits.limits.validate();
-  mesh_tools::check_writable(options.output);
-  check_report_path(options);
-  mesh_tools::OriginalFile original;
-  mesh_tools::MeshFile file = read_input(options.input, &original);
-  for (const vcg_core::ParameterInfo& row : method.parameters) {
-    if (!row.values.by_selection || options.parameters.given(row) || !has_selection(file.mesh)) continue;
-    row.set(parameters, 1);
-    if (!options.quiet)
-      std::cerr << "the file has a selection: only selected vertices move (--no-selected moves all)\n";
-  }
-  std::vector<double> weights = weights_of(options.limits, file, original);
-  SmoothingReport report;
-  {
-    const CooperativeInterrupt scope;
-    ProgressBar bar(options.quiet);
-    report =
-        smooth_file(file, method.method, parameters, bar.callback(), options.limits.limits, std::move(weights)).report;
-  }
-  std::optional<mesh_tools::TextFile> text;
-  if (!options.report.empty()) {
-    nlohmann::ordered_json json = {{"method", method.name}, {"parameters", to_json(method, parameters)}};
-    add_limits(options.limits, json["parameters"]);
-    json.update(to_json(report));
-    text = {options.report, json.dump(2) + "\n"};
-  }
-  write_moved_result(file, std::move(original), options.output, parameters.smooth_color, text ? &*text : nullptr);
-  print_warnings(report.warnings());
-  if (!options.quiet) print_summary(options, method, report);
+  const std::vector<FilePair> pairs = options.files.pairs();
+  check_report_path(options.report, pairs);
+  if (!options.files.are_many()) return run_one(options, pairs[0], method, parameters);
+  smooth_each(pairs, options.report, options.quiet, [&](const FilePair& pair, const vcg_core::Progress& progress) {
+    Smoothed result = smooth_input(options, pair, method, parameters, progress);
+    write_moved_output(result.file, std::move(result.original), pair.output, parameters.smooth_color);
+    return std::move(result.json);
+  });
 }
 
 std::string method_help() {
@@ -129,12 +155,12 @@ std::string method_help() {
 
 std::function<void()> declare_smooth(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("IN", options->input, "Mesh to smooth: PLY, OBJ, OFF or STL")->required();
-  app.add_option("OUT", options->output, "Where the result goes; may be the same file")->required();
+  options->files.declare(app);
   app.add_option("--method", options->method, method_help())->capture_default_str();
   options->parameters.declare(app);
   declare_limits(app, options->limits);
-  app.add_option("--report", options->report, "Also write what was done to this file, as JSON");
+  app.add_option("--report", options->report,
+                 "Also write what was done to this file, as JSON; with --out-dir as a list");
   app.add_flag("--quiet", options->quiet, "Print warnings and errors only");
   return [options] { run(*options); };
 }

@@ -99,6 +99,10 @@ std::vector<std::string> write_moved(MeshFile& file, OriginalFile original, cons
                                      bool recolored, const std::function<bool()>& interrupted = {},
                                      const TextFile* with = nullptr);
 
+/// Whether a file is read or written by its extension, and a sentence that names those which are.
+bool has_known_extension(const std::filesystem::path& path);
+std::string known_extensions();
+
 /// The files that write_mesh may write for a mesh at `path`: itself and, of an OBJ file, its materials.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& path);
 

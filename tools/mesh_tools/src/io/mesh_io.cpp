@@ -86,7 +86,7 @@ std::string extension(const fs::path& path) {
 
 void check_extension(const fs::path& path) {
   const std::string kind = extension(path);
-  if (kind != ".ply" && kind != ".obj" && kind != ".off" && kind != ".stl")
+  if (!has_known_extension(path))
     io::fail(path, kind.empty() ? std::string("has no extension; ") + allowed
                                 : "unknown extension '" + kind + "'; " + allowed);
 }
@@ -166,6 +166,13 @@ std::vector<std::string> lost_attributes(int attributes, int capability, const f
 }
 
 }  // namespace
+
+bool has_known_extension(const fs::path& path) {
+  const std::string kind = extension(path);
+  return kind == ".ply" || kind == ".obj" || kind == ".off" || kind == ".stl";
+}
+
+std::string known_extensions() { return allowed; }
 
 void check_writable(const fs::path& path) {
   check_extension(path);
