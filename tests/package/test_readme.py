@@ -44,7 +44,7 @@ class CommandLine(unittest.TestCase):
         printed = run(["bash", "-e", "-c", example("run: command line")], cwd=folder, env={**os.environ, "PATH": path})
         self.assertIn("face normal error", printed)
         self.assertEqual({file.name for file in folder.iterdir()},
-                         {"clean.ply", "noisy.ply", "smooth.ply", "report.json", "distance.ply"})
+                         {"clean.ply", "noisy.ply", "smooth.ply", "report.json", "distance.ply", "smoothed"})
 
 
 @unittest.skipIf(PLUGIN is None, "built without the plugin")

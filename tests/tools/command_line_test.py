@@ -376,6 +376,22 @@ class Subcommands(CommandLine):
         self.addCleanup(os.chmod, self.path("locked"), 0o700)
         self.run_tool("smooth", "noisy.ply", "locked/x.ply", status=1)
 
+    def test_vertices_of_no_face_may_be_nowhere(self):
+        self.run_tool("generate", "cube", "a.off", "--vertices", "200", "--quiet")
+        word, counts, *lines = self.bytes_of("a.off").decode().splitlines()
+        vertices, faces, _ = map(int, counts.split())
+        for at in (0, vertices):  # before all others, and behind them
+            rows = [" ".join(["3", *(str(int(v) + (at == 0)) for v in line.split()[1:])]) for line in lines[vertices:]]
+            points = lines[:at] + ["nan 0 -inf"] + lines[at:vertices]
+            with open(self.path("nan.off"), "w", encoding="ascii") as file:
+                file.write("\n".join([word, f"{vertices + 1} {faces} 0", *points, *rows]) + "\n")
+            done = self.run_tool("smooth", "nan.off", "out.off", "--method", "taubin", "--quiet")
+            self.assertIn("nan.off: 1 vertex that no face uses has coordinates that are not finite", done.stderr)
+            self.run_tool("smooth", "a.off", "expected.off", "--method", "taubin", "--quiet")
+            found = self.bytes_of("out.off").decode().splitlines()[2:]
+            self.assertEqual(found.pop(at), "nan 0 -inf")
+            self.assertEqual(found[:vertices], self.bytes_of("expected.off").decode().splitlines()[2:vertices + 2])
+
     # interruption and progress
 
     def interrupt(self, number, delay):

@@ -2,6 +2,8 @@
 
 import json
 import os
+import pty
+import re
 import signal
 import subprocess
 import time
@@ -99,6 +101,28 @@ class ManyFiles(CommandLine):
         self.run_tool("smooth", "scans", "--out-dir", "scans", "--quiet")
         for kind in FORMATS:
             self.assertEqual(self.bytes_of(f"scans/{kind}.{kind}"), self.bytes_of(f"out/{kind}.{kind}"))
+
+    def test_progress_is_over_all(self):
+        for name in ("y.ply", "z.ply"):
+            self.run_tool("generate", "cad_part", name, "--vertices", "20000", "--quiet")
+        leader, follower = pty.openpty()
+        process = subprocess.Popen([PROGRAM, "smooth", "y.ply", "z.ply", "--out-dir", "out", "--sigma-c", "6", "--iterations",
+                                    "8", "--threads", "1"], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=follower)
+        os.close(follower)
+        seen = b""
+        while b"2 of 2: " not in seen:
+            try:
+                seen += os.read(leader, 4096)
+            except OSError:
+                break
+        process.kill()
+        process.communicate(timeout=60)
+        os.close(leader)
+        shown = [(int(percent), number) for percent, number in re.findall(r"(\d+) % (\d) of 2: \w", seen.decode())]
+        self.assertEqual(shown, sorted(shown))
+        self.assertEqual({number for _, number in shown}, {"1", "2"})
+        for percent, number in shown:
+            self.assertTrue(percent <= 50 if number == "1" else percent >= 50, shown)
 
     def test_an_interrupt_leaves_what_is_finished(self):
         self.run_tool("generate", "cad_part", "z.ply", "--vertices", "60000", "--quiet")

@@ -9,6 +9,7 @@
 #include <vcg_core/method.h>
 
 #include "command.h"
+#include "hidden_vertices.h"
 #include "interrupt.h"
 #include "json_figures.h"
 #include "limit_options.h"
@@ -106,6 +107,11 @@ Smoothed smooth_input(const Options& options, const FilePair& pair, const Method
       std::cerr << pair.input << ": has a selection: only selected vertices move (--no-selected moves all)\n";
   }
   std::vector<double> weights = weights_of(options.limits, result.file, result.original);
+  const HiddenVertices hidden(result.file.mesh);
+  if (const std::size_t count = hidden.count(); count > 0)
+    print_warnings({pair.input + ": " + std::to_string(count) +
+                    (count == 1 ? " vertex that no face uses has" : " vertices that no face uses have") +
+                    " coordinates that are not finite; the filter passes over"});
   const CooperativeInterrupt scope;
   result.report =
       smooth_file(result.file, method.method, parameters, progress, options.limits.limits, std::move(weights)).report;
