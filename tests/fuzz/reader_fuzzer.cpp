@@ -54,11 +54,11 @@ void require_valid(const Mesh& mesh) {
       FUZZ_REQUIRE(!before(face.cV(k), mesh.vert.data()) && before(face.cV(k), mesh.vert.data() + mesh.vert.size()));
 }
 
-void require_same(const Mesh& a, const Mesh& b) {
+void require_same(const Mesh& a, const Mesh& b, bool corners_too = true) {
   FUZZ_REQUIRE(a.vn == b.vn && a.fn == b.fn);
   for (std::size_t v = 0; v < a.vert.size(); ++v)
     for (int k = 0; k < 3; ++k) FUZZ_REQUIRE(is_same(a.vert[v].cP()[k], b.vert[v].cP()[k]));
-  for (std::size_t f = 0; f < a.face.size(); ++f)
+  for (std::size_t f = 0; f < a.face.size() && corners_too; ++f)
     for (int k = 0; k < 3; ++k)
       FUZZ_REQUIRE(vcg::tri::Index(a, a.face[f].cV(k)) == vcg::tri::Index(b, b.face[f].cV(k)));
 }
@@ -82,7 +82,8 @@ void require_kept(MeshFile& file, const mesh_tools::OriginalFile& original, cons
   mesh_tools::write_moved(file, original, output, true);
   const MeshFile again = mesh_tools::read_mesh(output);
   require_valid(again.mesh);
-  if (keeps_vertices) require_same(file.mesh, again.mesh);
+  // Where a polygon's corners have moved, it may be cut otherwise.
+  if (keeps_vertices) require_same(file.mesh, again.mesh, file.polygons.polygons.empty());
 }
 
 }  // namespace
