@@ -141,7 +141,7 @@ class Reading(CommandLine):
                     self.write(f"wrong.{other}", self.bytes_of(name))
                     self.expect_refusal(f"wrong.{other}")
             self.write("wrong.txt", self.bytes_of(name))
-            self.expect_refusal("wrong.txt", "allowed are .ply, .obj, .off and .stl")
+            self.expect_refusal("wrong.txt", "allowed are .ply, .obj, .off, .stl, .glb and .gltf")
 
     def test_wrong_counts_in_the_header(self):
         triangles = [t for face in FACES for t in fan(face)]

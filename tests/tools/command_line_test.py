@@ -376,6 +376,41 @@ class Subcommands(CommandLine):
         self.addCleanup(os.chmod, self.path("locked"), 0o700)
         self.run_tool("smooth", "noisy.ply", "locked/x.ply", status=1)
 
+    def glb(self, name, mesh):
+        """A GLB file with the vertices and triangles of an OFF file."""
+        _, counts, *lines = self.bytes_of(mesh).decode().splitlines()
+        vertices = int(counts.split()[0])
+        points = [[float(word) for word in line.split()] for line in lines[:vertices]]
+        corners = [int(word) for line in lines[vertices:] for word in line.split()[1:]]
+        data = b"".join(struct.pack("<3f", *point) for point in points) + struct.pack(f"<{len(corners)}I", *corners)
+        text = json.dumps({
+            "asset": {"version": "2.0"}, "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": vertices, "type": "VEC3",
+                           "min": [min(axis) for axis in zip(*points)], "max": [max(axis) for axis in zip(*points)]},
+                          {"bufferView": 1, "componentType": 5125, "count": len(corners), "type": "SCALAR"}],
+            "bufferViews": [{"buffer": 0, "byteLength": 12 * vertices},
+                            {"buffer": 0, "byteOffset": 12 * vertices, "byteLength": 4 * len(corners)}],
+            "buffers": [{"byteLength": len(data)}]}).encode()
+        text += b" " * (-len(text) % 4)
+        with open(self.path(name), "wb") as file:
+            file.write(struct.pack("<4sII", b"glTF", 2, 28 + len(text) + len(data)) + struct.pack("<I4s", len(text), b"JSON") +
+                       text + struct.pack("<I4s", len(data), b"BIN\0") + data)
+
+    def test_glb_gives_the_vertices_that_ply_gives(self):
+        self.noisy("cube", "500")
+        self.run_tool("noise", "noisy.ply", "noisy.off", "--level", "0", "--quiet")
+        self.glb("noisy.glb", "noisy.off")
+        for method in ("paper", "guided"):
+            self.run_tool("smooth", "noisy.ply", "a.ply", "--method", method, "--quiet")
+            self.run_tool("smooth", "noisy.glb", "a.glb", "--method", method, "--quiet")
+            self.run_tool("noise", "a.ply", "expected.off", "--level", "0", "--quiet")
+            self.run_tool("noise", "a.glb", "found.off", "--level", "0", "--quiet")
+            self.assertEqual(self.bytes_of("found.off"), self.bytes_of("expected.off"))
+            self.assertEqual(len(self.bytes_of("a.glb")) % 4, 0)
+        for arguments in (("generate", "cube", "x.glb"), ("smooth", "noisy.ply", "x.glb"),
+                          ("noise", "noisy.glb", "x.gltf", "--level", "0.1")):
+            self.expect_failure(*arguments, says="is only written as a copy of one that was read")
+
     def test_vertices_of_no_face_may_be_nowhere(self):
         self.run_tool("generate", "cube", "a.off", "--vertices", "200", "--quiet")
         word, counts, *lines = self.bytes_of("a.off").decode().splitlines()

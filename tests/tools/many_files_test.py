@@ -87,7 +87,7 @@ class ManyFiles(CommandLine):
         self.expect_failure("smooth", "scans", "other/ply.ply", "--out-dir", "out",
                             says=("other/ply.ply: has the same name as scans/ply.ply", "out/ply.ply"))
         self.expect_failure("smooth", "scans", "scans/obj.obj", "--out-dir", "out", says="has the same name")
-        self.expect_failure("smooth", "empty", "--out-dir", "out", says=("empty: holds no meshes", ".ply, .obj, .off and .stl"))
+        self.expect_failure("smooth", "empty", "--out-dir", "out", says=("empty: holds no meshes", ".ply, .obj, .off, .stl, .glb and .gltf"))
         self.expect_failure("smooth", "scans", "--out-dir", "other/ply.ply", says="other/ply.ply: cannot be made a folder")
         self.expect_failure("smooth", "scans", "--out-dir", "out", "--sigma-c", "-1", says="sigma_c")
         self.assertFalse(os.path.exists(self.path("out")))

@@ -43,7 +43,7 @@ const std::string three_vertices = "0 0 0\n1 0 0\n0 1 0\n";
 
 TEST_F(MeshIoErrors, files_that_cannot_be_read) {
   expect_error(path("none.ply"), "does not exist");
-  expect_error(write("mesh.xyz", "0 0 0\n"), "allowed are .ply, .obj, .off and .stl");
+  expect_error(write("mesh.xyz", "0 0 0\n"), "allowed are .ply, .obj, .off, .stl, .glb and .gltf");
   expect_error(write("mesh", "0 0 0\n"), "has no extension");
   std::filesystem::create_directory(path("folder.ply"));
   expect_error(path("folder.ply"), "is a folder");

@@ -70,7 +70,7 @@ void run(const Options& options) {
 
 std::function<void()> declare_geodesic(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("IN", options->input, "Mesh: PLY, OBJ, OFF or STL")->required();
+  app.add_option("IN", options->input, "Mesh: PLY, OBJ, OFF, STL, GLB or glTF")->required();
   app.add_option("OUT", options->output, "PLY file with the distance as vertex quality, as colour ramp and iso-lines")
       ->required();
   app.add_option("--start-vertex", options->start_vertex, "Index of the vertex to measure from, the first is 0")

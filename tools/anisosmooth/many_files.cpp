@@ -99,7 +99,8 @@ void print_line(const ordered_json& json, bool quiet) {
 
 void FileArguments::declare(CLI::App& app) {
   app.add_option("IN", paths_,
-                 "IN OUT: mesh to smooth (PLY, OBJ, OFF or STL), and where the result goes; may be the same file. With "
+                 "IN OUT: mesh to smooth (PLY, OBJ, OFF, STL, GLB or glTF), and where the result goes; may be the same "
+                 "file. With "
                  "--out-dir: any number of meshes, and folders that hold some")
       ->required();
   app.add_option("--out-dir", folder_,

@@ -26,7 +26,7 @@ void run(const Options& options) {
     throw BadValue("direction is '" + options.direction + "'; allowed are normal and any");
   const auto direction =
       options.direction == "any" ? mesh_tools::NoiseDirection::any : mesh_tools::NoiseDirection::normal;
-  mesh_tools::check_writable(options.output);
+  mesh_tools::check_writable(options.output, options.input);
   mesh_tools::OriginalFile original;
   mesh_tools::MeshFile file = read_input(options.input, &original);
   mesh_tools::add_noise(file.mesh, options.level, options.seed, direction);
@@ -40,7 +40,7 @@ void run(const Options& options) {
 
 std::function<void()> declare_noise(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("IN", options->input, "Mesh: PLY, OBJ, OFF or STL")->required();
+  app.add_option("IN", options->input, "Mesh: PLY, OBJ, OFF, STL, GLB or glTF")->required();
   app.add_option("OUT", options->output, "Where the result goes")->required();
   app.add_option("--level", options->level,
                  "Standard deviation of the length of each vertex's move, in average edge lengths; >= 0")

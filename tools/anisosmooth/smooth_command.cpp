@@ -97,7 +97,7 @@ struct Smoothed {
 
 Smoothed smooth_input(const Options& options, const FilePair& pair, const MethodInfo& method,
                       SmoothingParameters parameters, const vcg_core::Progress& progress) {
-  mesh_tools::check_writable(pair.output);
+  mesh_tools::check_writable(pair.output, pair.input);
   Smoothed result;
   result.file = read_input(pair.input, &result.original);
   for (const vcg_core::ParameterInfo& row : method.parameters) {

@@ -116,7 +116,7 @@ void run(const Options& options) {
 
 std::function<void()> declare_compare(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("NOISY", options->noisy, "Mesh to smooth: PLY, OBJ, OFF or STL")->required();
+  app.add_option("NOISY", options->noisy, "Mesh to smooth: PLY, OBJ, OFF, STL, GLB or glTF")->required();
   app.add_option("REFERENCE", options->reference,
                  "The truth: a mesh with the same vertices and faces, in the same order; with it, errors are measured");
   app.add_option("--out", options->folder,

@@ -67,7 +67,7 @@ struct TextFile {
   std::string text;
 };
 
-/// Reads PLY, OBJ, OFF or STL, told by the extension, by readers of our own: of vcglib's importers of MeshLab 2020.09
+/// Reads PLY, OBJ, OFF, STL, GLB or glTF, told by the extension, by readers of our own: of vcglib's importers of MeshLab 2020.09
 /// the one of PLY does not check the last corner of polygons, strips and grids, the one of OBJ drops every face that
 /// refers to the first vertex, the one of OFF does not check indices, the one of STL runs past a buffer. Polygons are
 /// cut into triangles, convex ones into fans. STL knows no shared vertices: those at exactly the same place are merged.
@@ -103,12 +103,13 @@ std::vector<std::string> write_moved(MeshFile& file, OriginalFile original, cons
 bool has_known_extension(const std::filesystem::path& path);
 std::string known_extensions();
 
-/// The files that write_mesh may write for a mesh at `path`: itself and, of an OBJ file, its materials.
+/// The files that are written for a mesh at `path`: itself and, of an OBJ file, its materials, of a glTF file, its buffer.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& path);
 
 /// Throws FileError unless a mesh can be written to `path`: known extension, existing folder, nothing but a regular
 /// file in its place. Cheap: to be asked before long work.
-void check_writable(const std::filesystem::path& path);
+/// @param from  what was or will be read: GLB and glTF are only written as copies of such files
+void check_writable(const std::filesystem::path& path, const std::filesystem::path& from = {});
 
 /// The same for a text file, whatever its extension.
 void check_text_writable(const std::filesystem::path& path);

@@ -17,6 +17,7 @@ MeshFile read_ply(const std::string& bytes, const std::filesystem::path& path);
 MeshFile read_obj(const std::string& bytes, const std::filesystem::path& path);
 MeshFile read_off(const std::string& bytes, const std::filesystem::path& path);
 MeshFile read_stl(const std::string& bytes, const std::filesystem::path& path);
+MeshFile read_gltf(const std::string& bytes, const std::filesystem::path& path);
 
 /// Writers give the file's bytes.
 /// @param textures  in the place of the mesh's own: relative to the file

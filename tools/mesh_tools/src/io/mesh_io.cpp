@@ -76,7 +76,9 @@ std::string read_bytes(const fs::path& path) {
 
 namespace {
 
-constexpr const char* allowed = "allowed are .ply, .obj, .off and .stl";
+constexpr const char* allowed = "allowed are .ply, .obj, .off, .stl, .glb and .gltf";
+
+bool is_gltf(const std::string& kind) { return kind == ".glb" || kind == ".gltf"; }
 
 std::string extension(const fs::path& path) {
   std::string text = path.extension().string();
@@ -169,13 +171,15 @@ std::vector<std::string> lost_attributes(int attributes, int capability, const f
 
 bool has_known_extension(const fs::path& path) {
   const std::string kind = extension(path);
-  return kind == ".ply" || kind == ".obj" || kind == ".off" || kind == ".stl";
+  return kind == ".ply" || kind == ".obj" || kind == ".off" || kind == ".stl" || is_gltf(kind);
 }
 
 std::string known_extensions() { return allowed; }
 
-void check_writable(const fs::path& path) {
+void check_writable(const fs::path& path, const fs::path& from) {
   check_extension(path);
+  if (const std::string kind = extension(path); is_gltf(kind) && extension(from) != kind)
+    io::fail(path, "cannot be written: a " + kind + " file is only written as a copy of one that was read");
   check_text_writable(path);
 }
 
@@ -184,8 +188,9 @@ void check_text_writable(const fs::path& path) {
 }
 
 std::vector<fs::path> files_of(const fs::path& path) {
-  if (extension(path) != ".obj") return {path};
-  return {path, path.string() + ".mtl"};
+  const std::string kind = extension(path);
+  if (kind != ".obj" && kind != ".gltf") return {path};
+  return {path, path.string() + (kind == ".obj" ? ".mtl" : ".bin")};
 }
 
 MeshFile read_mesh(const fs::path& path, OriginalFile* original) {
@@ -202,7 +207,8 @@ MeshFile read_mesh(const fs::path& path, OriginalFile* original) {
   MeshFile file = kind == ".ply"   ? io::read_ply(bytes, path)
                   : kind == ".obj" ? io::read_obj(bytes, path)
                   : kind == ".off" ? io::read_off(bytes, path)
-                                   : io::read_stl(bytes, path);
+                  : kind == ".stl" ? io::read_stl(bytes, path)
+                                   : io::read_gltf(bytes, path);
   check_complete(file.mesh, path);
   io::cut_polygons(file);
   if (file.mesh.vn == 0) io::fail(path, "holds no vertices");
@@ -267,21 +273,27 @@ std::vector<std::string> write_moved(MeshFile& file, OriginalFile original, cons
     original.bytes = {};
     return write_anew(file, path, interrupted, with);
   }
-  check_writable(path);
+  check_writable(path, original.path);
   const io::SpliceInput input{file, original.path, recolored};
   std::string bytes = std::move(original.bytes);
+  std::vector<TextFile> together;
+  if (with) together.push_back(*with);
   try {
-    bytes = kind == ".ply"   ? io::splice_ply(std::move(bytes), input, path)
-            : kind == ".obj" ? io::splice_obj(std::move(bytes), input, path)
-            : kind == ".off" ? io::splice_off(std::move(bytes), input)
-                             : io::splice_stl(std::move(bytes), input);
+    if (is_gltf(kind)) {
+      io::SplicedFiles files = io::splice_gltf(std::move(bytes), input, path);
+      bytes = std::move(files.mesh);
+      for (TextFile& beside : files.beside) together.push_back(std::move(beside));
+    } else {
+      bytes = kind == ".ply"   ? io::splice_ply(std::move(bytes), input, path)
+              : kind == ".obj" ? io::splice_obj(std::move(bytes), input, path)
+              : kind == ".off" ? io::splice_off(std::move(bytes), input)
+                               : io::splice_stl(std::move(bytes), input);
+    }
   } catch (const io::NoRoom& reason) {
     std::vector<std::string> lost = write_anew(file, path, interrupted, with);
     lost.insert(lost.begin(), original.path.string() + ": " + reason.what());
     return lost;
   }
-  std::vector<TextFile> together;
-  if (with) together.push_back(*with);
   together.push_back({path, std::move(bytes)});
   write_together(together, interrupted);
   return {};

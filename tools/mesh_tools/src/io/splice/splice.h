@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <mesh_tools/mesh_io.h>
 
@@ -22,11 +23,19 @@ class NoRoom : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// All four throw FileError where the bytes do not fit the mesh.
+/// All throw FileError where the bytes do not fit the mesh.
 /// @param out  where the result goes: names of textures, and of material files, are made relative to it
 /// @throws NoRoom
 std::string splice_ply(std::string bytes, const SpliceInput& input, const std::filesystem::path& out);
 std::string splice_obj(std::string bytes, const SpliceInput& input, const std::filesystem::path& out);
+/// A mesh file, and others that appear together with it.
+struct SplicedFiles {
+  std::string mesh;
+  std::vector<TextFile> beside;
+};
+/// @param out  where the result goes: buffers in files of their own that change go beside it, and names of others are made
+///             relative to it
+SplicedFiles splice_gltf(std::string bytes, const SpliceInput& input, const std::filesystem::path& out);
 std::string splice_off(std::string bytes, const SpliceInput& input);
 std::string splice_stl(std::string bytes, const SpliceInput& input);
 
