@@ -129,6 +129,16 @@ TEST(MeshView, RefusesAMeshOfNothing) {
   EXPECT_THROW(vcg_core::geodesic_distances(MeshView{}, 0), vcg_core::InvalidMesh);
 }
 
+TEST(MeshView, RefusesElementsWithoutMemory) {
+  Packed<double> packed(potato(1));
+  MeshView no_positions = packed.view(), no_triangles = packed.view(), no_creases = packed.view();
+  no_positions.positions = {};
+  no_triangles.triangles = {};
+  no_creases.crease_count = 1;
+  for (const MeshView& view : {no_positions, no_triangles, no_creases})
+    EXPECT_EQ(refusal(view), "the view counts elements that it has no memory of");
+}
+
 TEST(MeshView, MovesSelectedVerticesAndThoseOfSelectedFacesOnly) {
   Packed<double> packed(potato(2));
   const std::vector<double> before = packed.positions;

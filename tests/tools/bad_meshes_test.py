@@ -90,7 +90,7 @@ class BadMeshes(unittest.TestCase):
     def test_unmerged_mesh_needs_no_merging(self):
         done = run("smooth", "unmerged.ply", "result.ply")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(done.stderr, "")
+        self.assertNotIn("weld", done.stderr)
         copies = {}
         points = [parts(folder / name)[1] for name in ("unmerged.ply", "result.ply")]
         for i in range(0, len(points[0]), 3):

@@ -73,7 +73,10 @@ class Limits(CommandLine):
             for value in ("-1", "nan"):
                 self.expect_failure("smooth", "noisy.ply", "x.ply", f"--{option}={value}",
                                     says=(option.replace("-", "_") + " is ", "0 or more"))
-        self.expect_failure("smooth", "noisy.ply", "x.ply", "--weld-distance", "10", says="well below the lengths of the edges")
+        for vertices in ("300", "3000"):
+            self.noisy("sphere", vertices)
+            self.expect_failure("smooth", "noisy.ply", "x.ply", "--weld-distance", "10",
+                                says="well below the lengths of the edges")
 
     def test_a_torn_surface_names_the_remedy(self):
         corners = ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))

@@ -27,7 +27,7 @@ struct SmoothingReport {
 
   std::size_t vertices = 0;        ///< vertices of the mesh that are not deleted
   std::size_t moved_vertices = 0;  ///< vertices whose stored coordinates changed
-  std::size_t fixed_vertices = 0;  ///< vertices held by `boundary` or `selected_only`
+  std::size_t fixed_vertices = 0;  ///< vertices held by `boundary`, `selected_only` or a weight of 0
   SkippedVertices skipped_vertices;
 
   double max_displacement = 0;  ///< over the moved vertices
@@ -58,7 +58,8 @@ struct SmoothingReport {
   /// Standard deviation of the mesh's noise along its normals, as the guided method sees it, in the mesh's unit. Empty
   /// for other methods.
   std::optional<double> estimated_noise;
-  std::size_t bounded_vertices = 0;  ///< wanted to move farther than the filter lets them; of the guided method
+  /// Wanted to move farther than the guided method, or SmoothingLimits::max_displacement, lets them.
+  std::size_t bounded_vertices = 0;
   /// Movable vertices around which the search for neighbours was cut short, as it would have taken out of all
   /// proportion: a distance may be too large, and a neighbour near the cut-off missing. Of the paper's method; see
   /// docs/algorithm.md.

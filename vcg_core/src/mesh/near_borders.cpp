@@ -19,6 +19,7 @@ constexpr double part_of_diagonal = 1e-5;
 constexpr double part_of_edge = 0.1;
 /// Points that one search may look at in the mean: with more, there are many edges as short, and nothing to be said.
 constexpr std::size_t most_looks = 200;
+constexpr std::size_t looks_between_polls = std::size_t(1) << 20;
 
 double shortest_edge_squared(const MeshArrays& mesh, Index v) {
   double shortest = std::numeric_limits<double>::infinity();
@@ -43,6 +44,7 @@ NearBorders find_near_borders(const MeshArrays& mesh, Job& job) {
   NearBorders found;
   double largest_square = 0;
   bool too_many = false;
+  std::size_t looks_at_poll = 0;
   job.serial(border.size(), [&](std::size_t k) {
     if (too_many) return;
     const Index v = border[k];
@@ -56,6 +58,10 @@ NearBorders find_near_borders(const MeshArrays& mesh, Job& job) {
     });
     if (is_near) found.vertices += mesh.copies(v);
     too_many = search.looks() / most_looks > border.size();
+    if (search.looks() - looks_at_poll > looks_between_polls) {
+      job.poll();
+      looks_at_poll = search.looks();
+    }
   });
   if (too_many) return {};
   found.distance = std::sqrt(largest_square);

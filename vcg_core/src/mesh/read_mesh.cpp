@@ -115,6 +115,8 @@ MeshArrays read_mesh(const MeshView& view, Job& job, ReadOptions options) {
   job.begin_stage("Reading the mesh", 0.05);
   require_faces(view.faces);
   require_countable(view.vertices, view.faces);
+  if ((view.vertices > 0 && !view.positions) || !view.triangles || (view.crease_count > 0 && !view.creases))
+    throw InvalidMesh("the view counts elements that it has no memory of");
   RawMesh raw;
   const Array<Index> index_of = read_vertices(view, raw, job);
   read_faces(view, index_of, raw, job);

@@ -15,6 +15,8 @@ namespace {
 /// Points that one search may look at in the mean. Near any sensible distance there are a few.
 constexpr std::size_t most_looks = 1000;
 
+constexpr std::size_t looks_between_polls = std::size_t(1) << 20;
+
 /// Sets of points, each known by its first one.
 class DisjointSets {
  public:
@@ -46,6 +48,11 @@ Welding weld_equal(const Array<Vec3>& position, const Array<Index>& order, Job& 
   return welding;
 }
 
+[[noreturn]] void refuse_distance() {
+  throw InvalidParameter(
+      "weld_distance is so large that it would join most of the mesh; it must be well below the lengths of the edges");
+}
+
 /// Joins the vertices of `welding` that lie near each other.
 void weld_near(const Array<Vec3>& position, const Array<Index>& order, double distance, Welding& welding, Job& job) {
   Array<Vec3> place(welding.vertices);
@@ -55,14 +62,16 @@ void weld_near(const Array<Vec3>& position, const Array<Index>& order, double di
   const PointGrid grid(place, vertices, distance * (1 + 1e-9), &job);  // finds what is nearer, and not what is as far
   PointGrid::Search search(grid);
   DisjointSets sets(place.size());
+  std::size_t looks_at_poll = 0;
   job.serial(place.size(), [&](std::size_t v) {
     search.for_each_near(place[v], [&](Index w, const Vec3& other) {
       if (w > v && (other - place[v]).squaredNorm() <= distance * distance) sets.join(static_cast<Index>(v), w);
     });
-    if (search.looks() / most_looks > place.size())
-      throw InvalidParameter(
-          "weld_distance is so large that it would join most of the mesh; it must be well below the "
-          "lengths of the edges");
+    if (search.looks() / most_looks > place.size()) refuse_distance();
+    if (search.looks() - looks_at_poll > looks_between_polls) {
+      job.poll();
+      looks_at_poll = search.looks();
+    }
   });
   Array<Index>& number = vertices;  // of each set: they count up from the first set
   std::size_t count = 0;
@@ -71,6 +80,7 @@ void weld_near(const Array<Vec3>& position, const Array<Index>& order, double di
     number[v] = first == v ? static_cast<Index>(count++) : number[first];
   });
   job.serial(order.size(), [&](std::size_t i) { welding.vertex[i] = number[welding.vertex[i]]; });
+  if (count == 1 && place.size() > 1) refuse_distance();
   welding.vertices = count;
 }
 

@@ -77,9 +77,10 @@ struct MeshView {
   /// How far each vertex follows the filter, from 0 (it stays, bit for bit) to 1. Each pass moves a vertex by its
   /// weight times what the filter would. Of vertices at the same place the smallest weight counts.
   RealRows weights;
-  IndexRows creases;  ///< edges of the shape, two vertex indices each: see `crease_count`
-  /// How many creases. The guided filter keeps them sharp however flat they are: it looks at the faces on one side of a
-  /// crease only, and so the vertices on it are drawn to where the sides meet. Other filters do not look at them.
+  /// Edges of the shape, two vertex indices each. The guided filter keeps them sharp however flat they are: it looks at
+  /// the faces on one side of a crease only, and the vertices on it go to where the sides meet. Other filters do not
+  /// look at them.
+  IndexRows creases;
   std::size_t crease_count = 0;
   ColorRows colors;  ///< changed only where SmoothingParameters::smooth_color asks for it, as is the next
   RealRows scalars;  ///< one number a vertex, such as a quality; may be undefined (not a number)
