@@ -111,6 +111,38 @@ void add_stl(Seeds& seeds) {
   seeds.add("solid name\n" + facet + facet + "endsolid name\n");
 }
 
+/// A triangle; `rest` follows the members that it needs.
+std::string gltf(const std::string& uri, const std::string& rest) {
+  return R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":0}}]}],)"
+         R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],)"
+         R"("bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36)" +
+         uri + "}]" + rest + "}";
+}
+
+const std::string gltf_node = R"(,"nodes":[{"children":[1],"scale":[2,2,2]},{"mesh":0,"translation":[1,2,3]}])";
+
+void add_gltf(Seeds& seeds) {
+  const std::string uri = R"(,"uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA")";
+  seeds.add(gltf(uri, ""));
+  seeds.add(gltf(uri, gltf_node + R"(,"images":[{"uri":"a.png"}])"));
+}
+
+void add_glb(Seeds& seeds) {
+  for (const std::string& rest : {std::string(), gltf_node}) {
+    std::string text = gltf("", rest);
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    const float places[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const auto number = [](std::size_t value) {
+      std::string bytes;
+      for (int k = 0; k < 4; ++k) bytes += static_cast<char>(value >> (8 * k));
+      return bytes;
+    };
+    seeds.add("glTF" + number(2) + number(28 + text.size() + sizeof places) + number(text.size()) + "JSON" + text +
+              number(sizeof places) + std::string("BIN\0", 4) +
+              std::string(reinterpret_cast<const char*>(places), sizeof places));
+  }
+}
+
 /// A bent grid of 25 vertices, every method and precision.
 CoreCase grid(const vcg_core::MethodInfo& method, bool double_precision) {
   constexpr int n = 5;
@@ -184,5 +216,9 @@ int main(int argc, char** argv) {
   add_format("obj", add_obj);
   add_format("off", add_off);
   add_format("stl", add_stl);
+  // These are not written anew.
+  Seeds glb(folder / "glb", ".glb"), text(folder / "gltf", ".gltf");
+  add_glb(glb);
+  add_gltf(text);
   return 0;
 }

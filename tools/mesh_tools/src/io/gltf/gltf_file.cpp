@@ -98,9 +98,9 @@ GltfFile open_gltf(const std::string& bytes, const fs::path& path) {
   } else {
     file.text = std::string_view(bytes).substr(byte_order_mark(bytes));
   }
-  file.json = json::parse(file.text, nullptr, false);
-  if (!file.json.is_object()) fail(path, "holds no sound JSON, as a glTF file does");
-  const json* const buffers = file.json.contains("buffers") ? &file.json["buffers"] : nullptr;
+  file.json = std::make_shared<const json>(json::parse(file.text, nullptr, false));
+  if (!file.json->is_object()) fail(path, "holds no sound JSON, as a glTF file does");
+  const json* const buffers = file.json->contains("buffers") ? &(*file.json)["buffers"] : nullptr;
   for (std::size_t i = 0; buffers && buffers->is_array() && i < buffers->size(); ++i) {
     const json& declared = (*buffers)[i];
     if (declared.is_object() && declared.contains("uri") && declared["uri"].is_string()) {

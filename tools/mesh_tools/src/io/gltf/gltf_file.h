@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,7 +18,7 @@ namespace mesh_tools::io {
 struct GltfFile {
   bool is_glb = false;
   std::string_view text;  ///< the JSON, a part of the file
-  nlohmann::json json;
+  std::shared_ptr<const nlohmann::json> json;
   struct Buffer {
     enum class Place { nowhere, chunk, data_uri, file } place = Place::nowhere;
     std::string bytes;

@@ -23,7 +23,7 @@ class GltfReader {
   GltfMesh read() {
     refuse_extensions();
     find_transforms();
-    const json* const meshes = array(file_.json, "meshes");
+    const json* const meshes = array(*file_.json, "meshes");
     for (std::size_t m = 0; meshes && m < meshes->size(); ++m) {
       const json* const primitives = array((*meshes)[m], "primitives");
       for (std::size_t p = 0; primitives && p < primitives->size(); ++p) {
@@ -69,7 +69,7 @@ class GltfReader {
   }
   /// Element `index` of one of the file's lists.
   const json& element(const char* list, std::size_t index) const {
-    const json* const elements = array(file_.json, list);
+    const json* const elements = array(*file_.json, list);
     if (!elements || index >= elements->size())
       refuse("refers to " + std::string(list) + " " + std::to_string(index) + "; there are " +
              std::to_string(elements ? elements->size() : 0));
@@ -77,7 +77,7 @@ class GltfReader {
   }
 
   void refuse_extensions() const {
-    const json* const required = array(file_.json, "extensionsRequired");
+    const json* const required = array(*file_.json, "extensionsRequired");
     for (std::size_t i = 0; required && i < required->size(); ++i)
       for (const char* name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"})
         if ((*required)[i] == name) fail(path_, std::string("needs ") + name + ", which cannot be changed in place");
@@ -118,7 +118,7 @@ class GltfReader {
 
   /// From each node that is nobody's child down; of several nodes with one mesh the first counts.
   void find_transforms() {
-    const json* const nodes = array(file_.json, "nodes");
+    const json* const nodes = array(*file_.json, "nodes");
     if (!nodes) return;
     std::vector<bool> is_child(nodes->size(), false), is_seen(nodes->size(), false);
     const auto children = [&](std::size_t node) {

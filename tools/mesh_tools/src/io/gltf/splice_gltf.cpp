@@ -120,9 +120,10 @@ class GltfSplicer {
       visit_elements(array, [&](std::size_t k, std::string_view word) {
         float before = 0;
         std::from_chars(word.data(), word.data() + word.size(), before);
-        if (k > 2 || before == now[static_cast<int>(k)]) return;
+        const float number = k < 3 ? now[static_cast<int>(k)] : before;
+        if (before == number || !std::isfinite(number)) return;  // JSON knows finite numbers only
         char digits[64];
-        replace(word, {digits, std::to_chars(digits, digits + sizeof digits, now[static_cast<int>(k)]).ptr});
+        replace(word, {digits, std::to_chars(digits, digits + sizeof digits, number).ptr});
       });
     };
     put_numbers(json_member(accessor, "min"), least);
@@ -154,7 +155,7 @@ class GltfSplicer {
   }
 
   void put_image_name(std::size_t index, std::string_view uri) {
-    const auto& image = file_.json["images"][index];
+    const auto& image = (*file_.json)["images"][index];
     if (uri.empty() || !image["uri"].is_string()) return;
     const auto text = image["uri"].get<std::string>();
     if (text.compare(0, 5, "data:") != 0 && text.find("://") == text.npos) put_name(uri, without_escapes(text));
