@@ -17,8 +17,8 @@ std::vector<Filter> all_filters() {
           " the farther away it is (sigma_c), the higher it lies (sigma_s) and the more its normal differs (sigma_n)."
           " Distances run along the surface.<br>"
           "If noise is left, raise sigma_s or use two passes; if edges get round, lower sigma_n. The log tells all"
-          " lengths in the mesh's unit. Only positions and normals change. Unconnected triangles (STL) need <i>Merge"
-          " Close Vertices</i> first.<br>"
+          " lengths in the mesh's unit. Only positions and normals change. Vertices at exactly the same place move as"
+          " one.<br>"
           "Coarse convex shapes are blown up: a cube of 12 triangles gains 38 % of volume, a cylinder of 32 sides 97"
           " %, a sphere of 10,000 vertices 1.2 %. Use <i>Guided Anisotropic Smoothing</i> there.<br>"
           "See: <b>\"Anisotropic Feature-Preserving Smoothing of 3D Mesh\"</b>, sections 4 to 6."),

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include <guided/face_neighborhoods.h>
+#include <filters/guided/face_neighborhoods.h>
 #include <mesh/read_mesh.h>
 
 #include <mesh_tools/random.h>

@@ -8,12 +8,12 @@
 #include <stdexcept>
 #include <system_error>
 
+#include <json_figures/json_figures.h>
 #include <mesh_tools/mesh_io.h>
 #include <vcg_core/errors.h>
 
 #include "command.h"
 #include "interrupt.h"
-#include "json_figures.h"
 #include "mesh_output.h"
 #include "progress_bar.h"
 

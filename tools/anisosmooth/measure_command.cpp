@@ -3,12 +3,12 @@
 #include <memory>
 #include <optional>
 
+#include <json_figures/json_figures.h>
 #include <mesh_tools/measure.h>
 #include <vcg_core/mesh/measures.h>
 
 #include "command.h"
 #include "file_view.h"
-#include "json_figures.h"
 #include "mesh_output.h"
 
 namespace anisosmooth {

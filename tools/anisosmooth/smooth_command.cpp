@@ -5,13 +5,13 @@
 #include <utility>
 
 #include <durable_files/replace_file.h>
+#include <json_figures/json_figures.h>
 #include <mesh_tools/mesh_io.h>
 #include <vcg_core/method.h>
 
 #include "command.h"
 #include "hidden_vertices.h"
 #include "interrupt.h"
-#include "json_figures.h"
 #include "limit_options.h"
 #include "many_files.h"
 #include "mesh_output.h"

@@ -4,13 +4,13 @@
 #include <optional>
 #include <utility>
 
+#include <json_figures/json_figures.h>
 #include <mesh_tools/mesh_io.h>
 
 #include "command.h"
 #include "comparison.h"
 #include "comparison_text.h"
 #include "interrupt.h"
-#include "json_figures.h"
 #include "mesh_output.h"
 #include "pictures.h"
 #include "progress_bar.h"

@@ -1,8 +1,7 @@
 #include "comparison_text.h"
 
+#include <json_figures/json_figures.h>
 #include <cstdio>
-
-#include "json_figures.h"
 
 namespace anisosmooth {
 namespace {

@@ -67,10 +67,11 @@ struct TextFile {
   std::string text;
 };
 
-/// Reads PLY, OBJ, OFF, STL, GLB or glTF, told by the extension, by readers of our own: of vcglib's importers of MeshLab 2020.09
-/// the one of PLY does not check the last corner of polygons, strips and grids, the one of OBJ drops every face that
-/// refers to the first vertex, the one of OFF does not check indices, the one of STL runs past a buffer. Polygons are
-/// cut into triangles, convex ones into fans. STL knows no shared vertices: those at exactly the same place are merged.
+/// Reads PLY, OBJ, OFF, STL, GLB or glTF, told by the extension, by readers of our own: of vcglib's importers of
+/// MeshLab 2020.09 the one of PLY does not check the last corner of polygons, strips and grids, the one of OBJ drops
+/// every face that refers to the first vertex, the one of OFF does not check indices, the one of STL runs past a
+/// buffer. Polygons are cut into triangles, convex ones into fans. STL knows no shared vertices: those at exactly the
+/// same place are merged.
 /// @param original  gets the file itself, for write_moved()
 /// @throws FileError
 MeshFile read_mesh(const std::filesystem::path& path, OriginalFile* original = nullptr);
@@ -103,7 +104,8 @@ std::vector<std::string> write_moved(MeshFile& file, OriginalFile original, cons
 bool has_known_extension(const std::filesystem::path& path);
 std::string known_extensions();
 
-/// The files that are written for a mesh at `path`: itself and, of an OBJ file, its materials, of a glTF file, its buffer.
+/// The files that are written for a mesh at `path`: itself and, of an OBJ file, its materials, of a glTF file, its
+/// buffer.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& path);
 
 /// Throws FileError unless a mesh can be written to `path`: known extension, existing folder, nothing but a regular

@@ -33,7 +33,8 @@ struct SplicedFiles {
   std::string mesh;
   std::vector<TextFile> beside;
 };
-/// @param out  where the result goes: buffers in files of their own that change go beside it, and names of others are made
+/// @param out  where the result goes: buffers in files of their own that change go beside it, and names of others are
+/// made
 ///             relative to it
 SplicedFiles splice_gltf(std::string bytes, const SpliceInput& input, const std::filesystem::path& out);
 std::string splice_off(std::string bytes, const SpliceInput& input);

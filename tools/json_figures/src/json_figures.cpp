@@ -1,4 +1,4 @@
-#include "json_figures.h"
+#include <json_figures/json_figures.h>
 
 namespace anisosmooth {
 
@@ -34,6 +34,7 @@ ordered_json to_json(const vcg_core::SmoothingReport& report) {
                        {"closed", report.closed},
                        {"coordinate_spacing", report.coordinate_spacing}};
   if (report.estimated_noise) json["estimated_noise"] = *report.estimated_noise;
+  if (report.crease_edges > 0) json["crease_edges"] = report.crease_edges;
   if (report.self_intersections) json["self_intersections"] = *report.self_intersections;
   json["warnings"] = report.warnings();
   return json;

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+namespace anisosmooth_python {
+
+/// Errors of the core and of files as Python's own: ValueError, OSError, and the module's Cancelled.
+void declare_errors(nanobind::module_& module);
+
+}  // namespace anisosmooth_python
