@@ -3,8 +3,9 @@
 # What the file of a libmeshlab-common tells of itself: its version is a string of its own (2022.02, or 2022.02d for double
 # precision), its precision stands in the type of an argument of a function that all versions export. Empty if not told.
 function(_aniso_ask_meshlab_library library version scalar)
-  file(STRINGS ${library} stated REGEX "^20[0-9][0-9]\\.[0-9]+d?$" LIMIT_COUNT 1)
-  string(REGEX REPLACE "d$" "" stated "${stated}")
+  # PyMeshLab's library has it in the midst of code, where the byte that follows may look like a letter.
+  file(STRINGS ${library} stated REGEX "^20[0-9][0-9]\\.[0-9][0-9]d?[A-Z]?$" LIMIT_COUNT 1)
+  string(REGEX MATCH "^20[0-9][0-9]\\.[0-9][0-9]" stated "${stated}")
   set(${version} "${stated}" PARENT_SCOPE)
   file(STRINGS ${library} symbol REGEX "setMeshTransformationMatrixEiRKN3vcg8Matrix44I[fd]EE" LIMIT_COUNT 1)
   set(${scalar} "" PARENT_SCOPE)

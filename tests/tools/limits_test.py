@@ -2,6 +2,8 @@
 ANISOSMOOTH names the program."""
 
 import json
+import math
+import random
 import re
 import unittest
 
@@ -48,6 +50,42 @@ class Limits(CommandLine):
         self.assertNotIn("max_displacement", free["parameters"])
         self.assertLessEqual(held["max_displacement"], limit * (1 + 1e-5))
         self.assertGreater(held["bounded_vertices"], 0)
+
+    def test_edges_of_the_file_are_creases(self):
+        """A roof of 12 degrees, less than the feature angle, with noise: its ridge stays up if the file names it."""
+        n = 30
+        noise = random.Random(1)
+        side = range(2 * n + 1)
+        vertices = [(x - n, y, -math.tan(math.radians(6)) * abs(x - n) + noise.gauss(0, 0.15)) for x in side for y in side]
+        faces = [(x * len(side) + y, (x + dx) * len(side) + y + dy, (x + 1) * len(side) + y + 1)
+                 for x in side[:-1] for y in side[:-1] for dx, dy in ((1, 0), (0, 1))]
+        faces = [f if i % 2 == 0 else (f[0], f[2], f[1]) for i, f in enumerate(faces)]
+        ridge = [n * len(side) + y for y in side]
+        edges = list(zip(ridge, ridge[1:]))
+        heights = {}
+        for name, kept in (("plain", []), ("creased", edges)):
+            for kind in ("ply", "obj"):
+                with open(self.path(f"{name}.{kind}"), "w", encoding="ascii") as file:
+                    if kind == "ply":
+                        file.write(f"ply\nformat ascii 1.0\nelement vertex {len(vertices)}\nproperty double x\n"
+                                   f"property double y\nproperty double z\nelement face {len(faces)}\n"
+                                   f"property list uchar int vertex_indices\nelement edge {len(kept)}\n"
+                                   "property int vertex1\nproperty int vertex2\nend_header\n")
+                        file.write("".join("%.17g %.17g %.17g\n" % v for v in vertices))
+                        file.write("".join("3 %d %d %d\n" % f for f in faces) + "".join("%d %d\n" % e for e in kept))
+                    else:
+                        file.write("".join("v %.17g %.17g %.17g\n" % v for v in vertices))
+                        file.write("".join("f %d %d %d\n" % tuple(i + 1 for i in f) for f in faces))
+                        file.write("".join("l %d %d\n" % (a + 1, b + 1) for a, b in kept))
+                report, _ = self.report(f"{name}.{kind}", f"out.{kind}", "--method", "guided")
+                self.assertEqual(report.get("crease_edges", 0), len(kept))
+                lines = self.bytes_of(f"out.{kind}").decode().split("\n")
+                first = lines.index("end_header") + 1 if kind == "ply" else 0
+                heights[name, kind] = [float(lines[first + v].split()[-1]) for v in ridge[5:-5]]
+        self.assertEqual(heights["plain", "ply"], heights["plain", "obj"])
+        self.assertEqual(heights["creased", "ply"], heights["creased", "obj"])
+        off = {name: sum(map(abs, heights[name, "ply"])) for name in ("plain", "creased")}
+        self.assertLess(off["creased"], 0.7 * off["plain"])
 
     def test_weights_hold_vertices(self):
         for name in ("w", "quality"):

@@ -7,6 +7,10 @@
 namespace anisosmooth {
 
 FileView::FileView(mesh_tools::MeshFile& file) : mesh_(file.mesh), view_(vcg_core::view_of(file.mesh)) {
+  for (const auto& edge : mesh_.edge)
+    for (int k = 0; k < 2; ++k) creases_.push_back(vcg::tri::Index(mesh_, edge.cV(k)));
+  view_.creases = vcg_core::index_rows(creases_.data(), 2 * sizeof(std::uint64_t));
+  view_.crease_count = creases_.size() / 2;
   if (file.precision == mesh_tools::Precision::double_precision) return;
   positions_.reserve(3 * mesh_.vert.size());
   qualities_.reserve(mesh_.vert.size());

@@ -69,6 +69,7 @@ void print_summary(const std::string& output, const MethodInfo& method, const Sm
   std::cout << "; displacement rms " << report.rms_displacement << ", max " << report.max_displacement
             << "\nvolume before " << report.volume_before << ", after " << report.volume_after;
   if (report.flipped_faces > 0) std::cout << "; faces turned over " << report.flipped_faces;
+  if (report.crease_edges > 0) std::cout << "; edges kept as creases " << report.crease_edges;
   if (report.bounded_vertices > 0) std::cout << "; vertices held back " << report.bounded_vertices;
   if (report.self_intersections) std::cout << "; faces that cut through others " << *report.self_intersections;
   std::cout << "\nwritten to " << output << "\n";
