@@ -155,6 +155,7 @@ Triangles triangulate(const std::vector<Point3d>& corners) {
   int first = (axis + 1) % 3, second = (axis + 2) % 3;
   if (normal[axis] < 0) std::swap(first, second);
   std::vector<Point2d> points;
+  points.reserve(corners.size());
   for (const Point3d& corner : corners)
     points.emplace_back(corner[first] - corners[0][first], corner[second] - corners[0][second]);
   return Ears(points).cut();
