@@ -1,6 +1,7 @@
 // Any mesh, any parameters: the documented error with the mesh bit for bit as it was, or a finite result of which the
 // report tells the truth, the same for every number of threads.
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -44,16 +45,30 @@ Outcome smooth(Mesh& mesh, const CoreCase& input, int threads, vcg_core::Smoothi
   }
 }
 
+/// For each vertex the first one at exactly its place.
+template <class Mesh>
+std::vector<std::size_t> first_copies(const Mesh& mesh) {
+  std::map<std::array<double, 3>, std::size_t> first;
+  std::vector<std::size_t> result(mesh.vert.size());
+  for (std::size_t v = 0; v < mesh.vert.size(); ++v) {
+    if (mesh.vert[v].IsD()) continue;
+    const auto& p = mesh.vert[v].cP();
+    result[v] = first.emplace(std::array<double, 3>{p[0] + 0.0, p[1] + 0.0, p[2] + 0.0}, v).first->second;
+  }
+  return result;
+}
+
 template <class Mesh>
 std::vector<bool> held_vertices(const Mesh& mesh, const vcg_core::SmoothingParameters& parameters) {
+  const std::vector<std::size_t> copy = first_copies(mesh);
   std::vector<bool> held(mesh.vert.size(), parameters.selected_only);
   std::map<std::pair<std::size_t, std::size_t>, int> faces_of_edge;
   for (std::size_t v = 0; v < mesh.vert.size(); ++v)
-    if (mesh.vert[v].IsS()) held[v] = false;
+    if (!mesh.vert[v].IsD() && mesh.vert[v].IsS()) held[copy[v]] = false;
   for (const auto& face : mesh.face) {
     if (face.IsD()) continue;
     std::size_t corner[3];
-    for (int k = 0; k < 3; ++k) corner[k] = vcg::tri::Index(mesh, face.cV(k));
+    for (int k = 0; k < 3; ++k) corner[k] = copy[vcg::tri::Index(mesh, face.cV(k))];
     if (face.IsS())
       for (const std::size_t v : corner) held[v] = false;
     if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) continue;
@@ -62,6 +77,8 @@ std::vector<bool> held_vertices(const Mesh& mesh, const vcg_core::SmoothingParam
   if (parameters.boundary == vcg_core::Boundary::fixed)
     for (const auto& [edge, faces] : faces_of_edge)
       if (faces == 1) held[edge.first] = held[edge.second] = true;
+  for (std::size_t v = 0; v < mesh.vert.size(); ++v)
+    if (!mesh.vert[v].IsD()) held[v] = held[copy[v]];
   return held;
 }
 
