@@ -43,6 +43,34 @@ TEST(Noise, along_normals_is_gaussian_of_the_stated_deviation) {
   EXPECT_NEAR(fourth / n, 3, 4 * std::sqrt(96 / n));
 }
 
+/// Of a mesh of separate triangles the corners at one place go to one place, along the normal of the whole surface.
+TEST(Noise, moves_vertices_at_one_place_as_one) {
+  const Mesh whole = mesh_tools::make_shape("cube", 600);
+  const std::vector<vcg::Point3d> normals = mesh_tools::vertex_normals(whole);
+  for (const NoiseDirection direction : {NoiseDirection::normal, NoiseDirection::any}) {
+    Mesh soup;
+    std::vector<std::size_t> origin;
+    vcg::tri::Allocator<Mesh>::AddVertices(soup, 3 * whole.face.size());
+    vcg::tri::Allocator<Mesh>::AddFaces(soup, whole.face.size());
+    for (std::size_t f = 0; f < whole.face.size(); ++f)
+      for (int k = 0; k < 3; ++k) {
+        soup.face[f].V(k) = &soup.vert[origin.size()];
+        soup.vert[origin.size()].P() = whole.face[f].cP(k);
+        origin.push_back(vcg::tri::Index(whole, whole.face[f].cV(k)));
+      }
+    const std::vector<vcg::Point3d> soup_normals = mesh_tools::vertex_normals(soup);
+    const std::vector<vcg::Point3d> move = displacement_of(soup, 0.3, 5, direction);
+    std::vector<std::size_t> copy_of(whole.vert.size(), move.size());
+    for (std::size_t v = 0; v < move.size(); ++v) {
+      EXPECT_LT((soup_normals[v] - normals[origin[v]]).Norm(), 1e-12);
+      std::size_t& copy = copy_of[origin[v]];
+      if (copy == move.size()) copy = v;
+      EXPECT_EQ(soup.vert[v].cP(), soup.vert[copy].cP()) << v;
+      EXPECT_GT(move[v].Norm(), 0);
+    }
+  }
+}
+
 TEST(Noise, in_any_direction_has_the_same_length_and_no_preferred_direction) {
   Mesh mesh = mesh_tools::make_shape("plane_slash", 40000);
   const double scale = 0.3 * mesh_tools::average_edge_length(mesh);
