@@ -42,38 +42,27 @@ nb::object to_python(const ParameterInfo& row, double value) {
   return nb::none();
 }
 
-[[noreturn]] void throw_wrong_kind(const ParameterInfo& row) {
-  throw nb::type_error((row.name + " must be of type " + kind_name(row.kind())).c_str());
+double number_of(const ParameterInfo& row, nb::handle value) {
+  if (row.kind() == ParameterInfo::Kind::flag) {
+    const int truth = PyObject_IsTrue(value.ptr());
+    if (truth < 0) throw nb::python_error();
+    return truth;
+  }
+  // What is no whole number is none for an int, as everywhere in Python. Numpy's numbers are fine.
+  const bool whole = row.kind() == ParameterInfo::Kind::integer;
+  const nb::object number = nb::steal(whole ? PyNumber_Index(value.ptr()) : PyNumber_Float(value.ptr()));
+  if (!number.is_valid()) throw nb::python_error();
+  const double result = PyFloat_AsDouble(number.ptr());
+  if (result == -1 && PyErr_Occurred()) throw nb::python_error();
+  if (whole && result != static_cast<double>(static_cast<int>(result)))
+    throw vcg_core::InvalidParameter(row.name + " is too large a number");
+  return result;
 }
 
-double from_python(const ParameterInfo& row, nb::handle value) {
-  switch (row.kind()) {
-    case ParameterInfo::Kind::choice: {
-      if (!nb::isinstance<nb::str>(value)) throw_wrong_kind(row);
-      const auto name = nb::cast<std::string>(value);
-      const auto& choices = row.values.choices;
-      const auto found = std::find(choices.begin(), choices.end(), name);
-      if (found == choices.end())
-        throw vcg_core::InvalidParameter(row.name + " is '" + name + "'; allowed are " + row.allowed());
-      return static_cast<double>(found - choices.begin());
-    }
-    case ParameterInfo::Kind::flag: {
-      const int truth = PyObject_IsTrue(value.ptr());
-      if (truth < 0) throw nb::python_error();
-      return truth;
-    }
-    default: {
-      // What is no whole number is none for an int, as everywhere in Python. Numpy's numbers are fine.
-      const nb::object number = nb::steal(row.kind() == ParameterInfo::Kind::integer ? PyNumber_Index(value.ptr())
-                                                                                     : PyNumber_Float(value.ptr()));
-      if (!number.is_valid()) throw nb::python_error();
-      const double result = PyFloat_AsDouble(number.ptr());
-      if (result == -1 && PyErr_Occurred()) throw nb::python_error();
-      if (row.kind() == ParameterInfo::Kind::integer && result != static_cast<double>(static_cast<int>(result)))
-        throw vcg_core::InvalidParameter(row.name + " is too large a number");
-      return result;
-    }
-  }
+void set(const ParameterInfo& row, vcg_core::SmoothingParameters& parameters, nb::handle value) {
+  if (row.kind() != ParameterInfo::Kind::choice) return row.set(parameters, number_of(row, value));
+  if (!nb::isinstance<nb::str>(value)) throw nb::type_error((row.name + " must be of type str").c_str());
+  row.set_choice(parameters, nb::cast<std::string>(value));
 }
 
 nb::dict to_python(const ParameterInfo& row, const vcg_core::SmoothingParameters& defaults) {
@@ -104,13 +93,6 @@ nb::dict catalogue() {
   return methods;
 }
 
-const MethodInfo& method_named(const std::string& name) {
-  if (const auto method = vcg_core::method_from_name(name)) return vcg_core::method_info(*method);
-  std::string names;
-  for (const MethodInfo& info : vcg_core::methods()) names += (names.empty() ? "" : ", ") + info.name;
-  throw vcg_core::InvalidParameter("method is '" + name + "'; allowed are " + names);
-}
-
 vcg_core::SmoothingParameters parameters_of(const MethodInfo& method, const nb::dict& given) {
   vcg_core::SmoothingParameters parameters = method.defaults;
   for (const auto [key, value] : given) {
@@ -119,9 +101,8 @@ vcg_core::SmoothingParameters parameters_of(const MethodInfo& method, const nb::
                                   [&](const ParameterInfo& candidate) { return candidate.name == name; });
     if (row == method.parameters.end())
       throw nb::type_error((name + " is no parameter of method " + method.name).c_str());
-    row->set(parameters, from_python(*row, value));
+    set(*row, parameters, value);
   }
-  parameters.validate(method.method);
   return parameters;
 }
 

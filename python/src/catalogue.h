@@ -9,12 +9,9 @@ namespace anisosmooth_python {
 /// default, choices, help, allowed}]}}. Signatures and documentation are made from them.
 nanobind::dict catalogue();
 
-/// The method of that name. @throws vcg_core::InvalidParameter
-const vcg_core::MethodInfo& method_named(const std::string& name);
-
-/// The method's defaults, replaced by the values given by name; checked.
-/// @throws vcg_core::InvalidParameter; nanobind::type_error for a value of another kind, or a name that the method
-///         does not know
+/// The method's defaults, replaced by the values given by name. Ranges are not checked.
+/// @throws vcg_core::InvalidParameter for a choice that there is not; nanobind::type_error for a value of another kind,
+///         or a name that the method does not know
 vcg_core::SmoothingParameters parameters_of(const vcg_core::MethodInfo& method, const nanobind::dict& given);
 
 }  // namespace anisosmooth_python

@@ -27,11 +27,10 @@ std::string smooth(const Array& positions, const ReadOnlyArray& faces, const std
                    const std::optional<ReadOnlyArray>& weights, const std::optional<ReadOnlyArray>& creases,
                    const std::optional<Array>& colors, const std::optional<Array>& scalars, double weld_distance,
                    double max_displacement, int threads, bool check, nb::object progress) {
-  const vcg_core::MethodInfo& method = method_named(method_name);
+  const vcg_core::MethodInfo& method = vcg_core::method_info(method_name);
   vcg_core::SmoothingParameters parameters = parameters_of(method, given);
   parameters.threads = threads;
   parameters.check = check;
-  parameters.validate(method.method);
   vcg_core::MeshView mesh = view_of(ReadOnlyArray(positions), faces);
   if (selected) {
     parameters.selected_only = true;

@@ -81,7 +81,7 @@ def test_says_what_is_wrong(arguments, words):
         ({"method": "paper", "sigma_c": 0}, ValueError, "sigma_c is 0"),
         ({"method": "paper", "sigma_c": "wide"}, (TypeError, ValueError), ""),
         ({"method": "paper", "strength": 1}, TypeError, "no parameter of method paper"),
-        ({"boundary": "loose"}, ValueError, "fixed or free"),
+        ({"boundary": "loose"}, ValueError, "boundary is 'loose'; allowed are fixed and free"),
         ({"iterations": 1.5}, TypeError, ""),
         ({"iterations": 10**12}, ValueError, "too large"),
         ({"sigma": 1}, TypeError, "unexpected keyword"),

@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -24,9 +22,8 @@ struct Options {
 };
 
 void check_output(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (extension != ".ply") throw BadValue(path + ": distances are vertex quality, which only .ply can hold");
+  if (mesh_tools::extension(path) != ".ply")
+    throw BadValue(path + ": distances are vertex quality, which only .ply can hold");
   mesh_tools::check_writable(path);
 }
 

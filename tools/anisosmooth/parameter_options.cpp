@@ -84,16 +84,6 @@ std::string option_name(std::string name) {
   return "--" + name;
 }
 
-double index_of(const ParameterInfo& row, const std::string& word) {
-  const auto& choices = row.values.choices;
-  const auto found = std::find(choices.begin(), choices.end(), word);
-  if (found != choices.end()) return static_cast<double>(found - choices.begin());
-  std::string allowed = choices.front();
-  for (std::size_t k = 1; k < choices.size(); ++k)
-    allowed += (k + 1 < choices.size() ? ", " : " and ") + std::string(choices[k]);
-  throw BadValue(row.name + " is '" + word + "'; allowed are " + allowed);
-}
-
 }  // namespace
 
 void ParameterOptions::declare(CLI::App& app, const ParameterInfo& row, const std::string& text) {
@@ -140,7 +130,7 @@ SmoothingParameters ParameterOptions::applied_to(const MethodInfo& method) const
   SmoothingParameters parameters = method.defaults;
   const auto take = [&](const ParameterInfo& row) {
     if (const auto number = number_.find(row.name); number != number_.end()) row.set(parameters, number->second);
-    if (const auto word = word_.find(row.name); word != word_.end()) row.set(parameters, index_of(row, word->second));
+    if (const auto word = word_.find(row.name); word != word_.end()) row.set_choice(parameters, word->second);
   };
   for (const ParameterInfo& row : method.parameters) take(row);
   for (const ParameterInfo& row : vcg_core::run_parameters<SmoothingParameters>()) take(row);

@@ -36,18 +36,6 @@ struct Options {
   bool quiet = false;
 };
 
-std::string method_names() {
-  std::string names;
-  for (const MethodInfo& info : vcg_core::methods()) names += (names.empty() ? "" : ", ") + info.name;
-  return names;
-}
-
-const MethodInfo& chosen_method(const Options& options) {
-  const auto method = vcg_core::method_from_name(options.method);
-  if (!method) throw BadValue("method is '" + options.method + "'; allowed are " + method_names());
-  return vcg_core::method_info(*method);
-}
-
 bool has_selection(const mesh_tools::Mesh& mesh) {
   for (const auto& vertex : mesh.vert)
     if (vertex.IsS()) return true;
@@ -112,7 +100,7 @@ Smoothed smooth_input(const Options& options, const FilePair& pair, const Method
   if (const std::size_t count = hidden.count(); count > 0)
     print_warnings({pair.input + ": " + std::to_string(count) +
                     (count == 1 ? " vertex that no face uses has" : " vertices that no face uses have") +
-                    " coordinates that are not finite; the filter passes over"});
+                    " coordinates that are not finite; the filter passes over " + (count == 1 ? "it" : "them")});
   const CooperativeInterrupt scope;
   result.report =
       smooth_file(result.file, method.method, parameters, progress, options.limits.limits, std::move(weights)).report;
@@ -138,7 +126,7 @@ void run_one(const Options& options, const FilePair& pair, const MethodInfo& met
 }
 
 void run(const Options& options) {
-  const MethodInfo& method = chosen_method(options);
+  const MethodInfo& method = vcg_core::method_info(options.method);
   const SmoothingParameters parameters = options.parameters.applied_to(method);
   print_warnings(options.parameters.without_effect(method));
   options.limits.limits.validate();

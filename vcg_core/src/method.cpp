@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <vcg_core/errors.h>
+
 #include "filters/catalogue.h"
 
 namespace vcg_core {
@@ -29,6 +31,13 @@ std::optional<Method> method_from_name(std::string_view name) {
   for (const MethodInfo& info : methods())
     if (info.name == name) return info.method;
   return std::nullopt;
+}
+
+const MethodInfo& method_info(std::string_view name) {
+  if (const auto method = method_from_name(name)) return method_info(*method);
+  std::string names;
+  for (const MethodInfo& info : methods()) names += (names.empty() ? "" : ", ") + info.name;
+  throw InvalidParameter("method is '" + std::string(name) + "'; allowed are " + names);
 }
 
 }  // namespace vcg_core

@@ -1,5 +1,6 @@
 #include <vcg_core/parameter_info.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <type_traits>
@@ -22,11 +23,11 @@ std::string in_words(ParameterInfo::Kind kind, double number) {
   return kind == ParameterInfo::Kind::real ? in_words(number) : std::to_string(static_cast<int>(number));
 }
 
-/// "a, b or c"
-std::string any_of(const std::vector<std::string>& words) {
+/// The words as a list: "a, b or c" with the conjunction "or".
+std::string listed(const std::vector<std::string>& words, const std::string& conjunction) {
   std::string text;
   for (std::size_t k = 0; k < words.size(); ++k)
-    text += (k == 0 ? "" : k + 1 < words.size() ? ", " : " or ") + words[k];
+    text += (k == 0 ? "" : k + 1 < words.size() ? ", " : " " + conjunction + " ") + words[k];
   return text;
 }
 
@@ -43,7 +44,7 @@ std::string demand(const ParameterInfo& row) {
   if (!values.choices.empty()) {
     std::vector<std::string> words;
     for (const char* choice : values.choices) words.push_back(std::to_string(words.size()) + " (" + choice + ")");
-    return any_of(words);
+    return listed(words, "or");
   }
   if (!values.open) {
     const std::string meaning = values.meaning_of_least;
@@ -84,6 +85,14 @@ void ParameterInfo::set(SmoothingParameters& parameters, double value) const {
       member);
 }
 
+void ParameterInfo::set_choice(SmoothingParameters& parameters, const std::string& word) const {
+  const auto& choices = values.choices;
+  const auto found = std::find(choices.begin(), choices.end(), word);
+  if (found == choices.end())
+    throw InvalidParameter(name + " is '" + word + "'; allowed are " + listed({choices.begin(), choices.end()}, "and"));
+  set(parameters, static_cast<double>(found - choices.begin()));
+}
+
 std::string ParameterInfo::text(const SmoothingParameters& parameters) const {
   const double number = value(parameters);
   if (kind() == Kind::flag) return number != 0 ? "on" : "off";
@@ -93,7 +102,7 @@ std::string ParameterInfo::text(const SmoothingParameters& parameters) const {
 
 std::string ParameterInfo::allowed() const {
   if (kind() == Kind::flag) return "on or off";
-  if (kind() == Kind::choice) return any_of({values.choices.begin(), values.choices.end()});
+  if (kind() == Kind::choice) return listed({values.choices.begin(), values.choices.end()}, "or");
   if (!values.open) return in_words(values.least) + " or more";
   return "above " + in_words(values.least) +
          (values.most == Values::unlimited ? "" : ", at most " + in_words(values.most));

@@ -46,4 +46,8 @@ const std::string& method_name(Method method);
 /// The method of that name; empty if there is none.
 std::optional<Method> method_from_name(std::string_view name);
 
+/// The same as a user gave it.
+/// @throws InvalidParameter with the name and all that are allowed
+const MethodInfo& method_info(std::string_view name);
+
 }  // namespace vcg_core

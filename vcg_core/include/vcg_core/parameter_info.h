@@ -59,6 +59,8 @@ struct ParameterInfo {
   double value(const SmoothingParameters& parameters) const;
   /// @param value  one that the member can hold; it may be out of the range
   void set(SmoothingParameters& parameters, double value) const;
+  /// Sets a choice by its name. @throws InvalidParameter with name, word and what is allowed
+  void set_choice(SmoothingParameters& parameters, const std::string& word) const;
   /// The value in words: "0.3", "on", "fixed".
   std::string text(const SmoothingParameters& parameters) const;
 

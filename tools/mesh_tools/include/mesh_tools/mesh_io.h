@@ -24,6 +24,9 @@ class WriteInterrupted : public std::runtime_error {
   WriteInterrupted() : std::runtime_error("interrupted") {}
 };
 
+/// The extension of a path in small letters, with its dot; empty if there is none.
+std::string extension(const std::filesystem::path& path);
+
 /// How many digits the file holds. Text formats declare none and count as double.
 enum class Precision { single_precision, double_precision };
 

@@ -74,17 +74,17 @@ std::string read_bytes(const fs::path& path) {
 
 }  // namespace io
 
-namespace {
-
-constexpr const char* allowed = "allowed are .ply, .obj, .off, .stl, .glb and .gltf";
-
-bool is_gltf(const std::string& kind) { return kind == ".glb" || kind == ".gltf"; }
-
 std::string extension(const fs::path& path) {
   std::string text = path.extension().string();
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
   return text;
 }
+
+namespace {
+
+constexpr const char* allowed = "allowed are .ply, .obj, .off, .stl, .glb and .gltf";
+
+bool is_gltf(const std::string& kind) { return kind == ".glb" || kind == ".gltf"; }
 
 void check_extension(const fs::path& path) {
   const std::string kind = extension(path);

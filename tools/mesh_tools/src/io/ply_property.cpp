@@ -1,8 +1,5 @@
 #include <mesh_tools/ply_property.h>
 
-#include <algorithm>
-#include <cctype>
-
 #include "formats.h"
 #include "ply_data.h"
 #include "ply_layout.h"
@@ -26,10 +23,7 @@ std::size_t find_property(const io::PlyLayout::Element& vertex, const std::strin
 }  // namespace
 
 std::vector<double> vertex_property(const OriginalFile& file, const std::string& name) {
-  std::string extension = file.path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (extension != ".ply")
+  if (extension(file.path) != ".ply")
     throw FileError(file.path.string() + " has no vertex property '" + io::printable(name) +
                     "'; only PLY files have properties");
   const io::PlyLayout layout = io::parse_ply_header(file.bytes, file.path);
