@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the command line does besides smoothing: reading and writing binary PLY.
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The filter itself, per pair (source, vertex nearer than rho), on one core.
 
 #include <cstdint>

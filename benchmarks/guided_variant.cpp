@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // guided_variant IN OUT [NAME=VALUE...]: the guided filter with some of its constants changed or parts left out. The
 // names are those of GuidedSettings; 0 leaves a part out. For scripts/guided_benchmark, which tells what each part
 // brings.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Time per pair (source, vertex nearer than rho) where neighbourhoods are large, and around vertices of many faces.
 
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the neighbourhoods cost by other means, on the same mesh and core: all report pairs (source, vertex nearer than
 // rho). The slow ones do every n-th source, and count the pairs of those.
 

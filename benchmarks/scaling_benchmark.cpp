@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The whole call, from a vcglib mesh and back, and its steps.
 
 #include <chrono>

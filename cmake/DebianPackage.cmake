@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # `cpack` in the build folder makes a Debian package of the plugin. MeshLab takes plugins of exactly its own version, so
 # the package depends on the installed MeshLab's, which brings every library that the plugin needs.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Finds what a MeshLab plugin is built against and offers the target MeshLab::Common.
 #
 # MESHLAB_SOURCE_DIR  root of MeshLab's source tree, for the headers; must be the sources of the library's own version

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Finds vcglib, the header-only library of triangle meshes, and offers the target Vcglib::Vcglib.
 #
 # VCGLIB_DIR          folder that holds vcg/complex/complex.h; found by itself

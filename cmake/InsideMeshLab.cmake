@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # This folder lies in MeshLab's own tree (src/meshlabplugins, from 2021 on) or in one laid out as meshlab-extra-plugins:
 # MeshLab's build brings library, vcglib, version, precision and folders; only the plugin is added to it.
 

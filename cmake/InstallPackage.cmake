@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the core as a CMake package: find_package(anisotropic_smooth) gives anisotropic_smooth::vcg_core.
 # Its headers are templates over vcglib, so the package looks for vcglib and Eigen too; -DVCGLIB_DIR tells where.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Where the plugin is installed: component `plugin` for everybody; `user_plugin`, which has to be asked for, for the user
 # who configures.
 

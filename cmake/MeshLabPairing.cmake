@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Refuses pairs of MeshLab's sources and library that do not belong together. FindMeshLab calls it.
 
 # What the file of a libmeshlab-common tells of itself: its version is a string of its own (2022.02, or 2022.02d for double

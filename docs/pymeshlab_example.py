@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Smooths a mesh in PyMeshLab by this project's plugin.
 
 python3 pymeshlab_example.py PLUGIN.so IN OUT

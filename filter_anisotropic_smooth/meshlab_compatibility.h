@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 // The one place that knows how MeshLab's plugin interface differs between its versions: 2020.09; 2021.05 to 2022.02;

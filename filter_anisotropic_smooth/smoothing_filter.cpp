@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "smoothing_filter.h"
 
 #include "dialog_parameters.h"

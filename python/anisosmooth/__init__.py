@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Removes noise from triangle meshes and keeps their edges.
 
     V2 = anisosmooth.smooth(V, F)

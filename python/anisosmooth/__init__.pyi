@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Made by `python -m anisosmooth._stub`; tests/python/test_stub.py holds it current.
 import os
 from collections.abc import Callable

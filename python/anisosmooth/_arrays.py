@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Arguments of the public functions as the arrays that the compiled part takes."""
 
 import numpy as np

@@ -1,8 +1,10 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Prints __init__.pyi: `python -m anisosmooth._stub`. Keywords of smooth() come from the core's table of parameters."""
 
 from ._smooth import CATALOGUE, COMMON, method_keywords
 
-HEAD = '''# Made by `python -m anisosmooth._stub`; tests/python/test_stub.py holds it current.
+HEAD = '''# SPDX-License-Identifier: GPL-3.0-or-later
+# Made by `python -m anisosmooth._stub`; tests/python/test_stub.py holds it current.
 import os
 from collections.abc import Callable
 from typing import Any, Literal

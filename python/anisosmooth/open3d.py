@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """For Open3D, in the manner of TriangleMesh.filter_smooth_taubin."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """For PyVista: mesh.anisosmooth.denoise(). PyVista finds it by itself, by the entry point "pyvista.accessors"."""
 
 import pyvista

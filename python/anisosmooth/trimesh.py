@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """For trimesh, in the manner of trimesh.smoothing."""
 
 from . import smooth

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <nanobind/nanobind.h>
 
 #include "errors.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every family of bad meshes through every method and function: the documented error and a mesh that is as it was bit
 // for bit, or a finite result and a report whose counts are right.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Meshes as they come: for every kind of defect, counted, finite, and no worse around it.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Same input, same bits, whatever the number of threads.
 
 #include <tuple>

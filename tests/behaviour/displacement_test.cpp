@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // No vertex drifts: in one pass each moves along its normal.
 
 #include <algorithm>

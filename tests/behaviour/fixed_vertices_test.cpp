@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is told to stay stays bit for bit.
 
 #include <cstddef>

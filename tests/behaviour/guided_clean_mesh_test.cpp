@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A mesh without noise comes back from the guided filter as it was.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the guided method promises of its results, on shapes whose truth is known. The bounds of the first test are what
 // was measured with this noise (another drawing than that of docs/guided.md) with a margin of at most about a third.
 

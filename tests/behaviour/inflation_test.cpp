@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's filter moves convex surfaces outwards: by how much stands in docs/comparison.md, and here.
 
 #include <cmath>

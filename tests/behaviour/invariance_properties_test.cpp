@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What must not matter to any method, on random meshes with random defects: where the mesh is, how it is turned, how
 // large it is, in which order its elements come, which side its faces show, how many threads work. Shrunk on failure.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The result moves with the mesh, and does not know where, how large or in which order it was given.
 
 #include <algorithm>

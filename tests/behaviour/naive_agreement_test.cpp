@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The library against the naive reference, vertex by vertex: on all shapes of the tools and on real models.
 
 #include <algorithm>

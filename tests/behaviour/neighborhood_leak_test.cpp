@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What section 4 is for: on thin shapes a Euclidean ball takes in the other side, a geodesic neighbourhood does not.
 
 #include <cmath>

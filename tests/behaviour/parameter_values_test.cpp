@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every parameter of every method at values that make no sense, and at the ends of what is allowed.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A plane has no noise: nothing on it moves, whatever its triangles.
 
 #include <string>

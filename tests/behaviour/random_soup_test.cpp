@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever triangles come: no NaN, no crash, nothing touched that is not to move. Random meshes, shrunk when they fail.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Geodesic distances on finer and finer spheres approach the great circle's.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Table 1's parameters on real noisy models, against the figures of an independent implementation.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What another thread costs in memory: its neighbourhoods, whatever the size of the mesh.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Vertices at the same place are one: a mesh that is split along seams, or into a soup of triangles, comes out with the
 // bits of the whole one, whatever the order of the copies.
 

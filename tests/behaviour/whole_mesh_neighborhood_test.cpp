@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A neighbourhood that is the whole mesh, at 20,000 vertices: slow, but its memory is bounded, the bar moves, and it
 // can be cancelled.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The angle of two vectors against the C library's arc tangent in long double.
 
 #include <angle.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Bilateral mesh denoising against section 3's formula, and what it does to a sphere and to thin parts.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Creases that the caller names: the guided filter looks at one side of them only.
 
 #include <mesh/creases.h>

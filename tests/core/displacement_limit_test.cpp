@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The limits of the guided filter: how far a vertex may move, and that no face is turned over.
 
 #include <algorithm>

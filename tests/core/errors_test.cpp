@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Meshes that cannot be smoothed: the kind of error, what it says, and that the mesh stays bit for bit as it was.
 
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Single-source distances: the paper's figure 5, random planes, and what a caller meets at the edges of the contract.
 
 #include <cmath>

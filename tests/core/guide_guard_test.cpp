@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The guided filter's guard for thin parts, against the rule of docs/guided.md with its numbers: a patch whose normals
 // spread more than three times the mesh's median lends less of its mean normal, and from nine times on nothing.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The steps of the guided filter, each against a naive reference: the equations of docs/guided.md as they stand there.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Improved Laplacian smoothing (Vollmer, Mencl, Mueller 1999) against the article's own loop, and what it promises.
 
 #include <cmath>

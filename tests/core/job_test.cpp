@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The core's job: stages, progress and parallel loops.
 
 #include <vcg_core/detail/job.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Jones's filter against its definition, and on a plane, a box and a mesh with gaps.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The vector kernels, each that this processor runs, against the scalar march and the scalar filter.
 
 #include <filters/paper/lanes/lane_kernels.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The entry points on arrays of the caller's: any types and strides give the same result, and nothing else is touched.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of methods, and what every method promises.
 
 #include <cmath>

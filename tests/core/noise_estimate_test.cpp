@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The noise estimate against noise that is known, and on shapes without any.
 
 #include <algorithm>

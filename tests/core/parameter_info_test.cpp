@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of parameters: what they say, and that each row is of use to every program that loops over them.
 
 #include <limits>

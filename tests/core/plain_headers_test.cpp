@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The example of docs/library.md; and that it takes neither vcglib's headers nor Eigen's.
 
 #include <cstdint>

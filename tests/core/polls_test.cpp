@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How long the work goes on between two polls, without a clock that a busy machine disturbs: the library gets one by
 // which a call of the progress callable is due at every poll, and the time between is the calling thread's own.
 

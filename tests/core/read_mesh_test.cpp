@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Copying a mesh to arrays loses nothing, and what the topology says is right.
 
 #include <mesh/read_mesh.h>

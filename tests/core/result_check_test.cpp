@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the report says of a result, on moves made by hand and on real ones against a naive recount.
 
 #include <result_check.h>

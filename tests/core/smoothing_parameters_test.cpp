@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which parameters are refused, with which words, and which odd ones are not.
 
 #include <cfloat>

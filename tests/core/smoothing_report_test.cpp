@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every field of the report on meshes small enough to do by hand.
 
 #include <cmath>

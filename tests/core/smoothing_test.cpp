@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The entry point on every kind of vcglib mesh: same result, and nothing but positions touched.
 
 #include <algorithm>

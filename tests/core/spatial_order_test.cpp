@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The order in which the core keeps vertices, and which of them are one by it.
 
 #include <spatial_order.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which faces the guided filter's update of the vertices takes for folded, and how it opens them: against the rule of
 // docs/guided.md with its numbers.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // vcglib's Laplacian, HC and Taubin's smoothing as this library calls them: steps by hand, borders, what is kept out.
 
 #include <set>

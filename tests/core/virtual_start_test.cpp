@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The three cases of the virtual start point, each on a triangle whose numbers are found by hand.
 
 #include <cmath>

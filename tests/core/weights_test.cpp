@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The three weights and their product.
 
 #include <filters/weights.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Any mesh, any parameters: the documented error with the mesh bit for bit as it was, or a finite result of which the
 // report tells the truth, the same for every number of threads.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // make_seeds FOLDER: the inputs that the fuzzers begin with, a folder for each of them: files as our writers and other
 // programs make them, meshes with one defect each.
 

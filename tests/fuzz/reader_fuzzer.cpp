@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes in a file of one format (FUZZED_EXTENSION): refused in one line that names the file, or a mesh whose faces
 // refer to its vertices, and that is the same after it was written and read again. Written as what it was read from, it
 // is the same bytes as long as nothing moved, and then a file of the moved mesh.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Commands in a fresh copy of the running system that vanishes afterwards: an overlay over /, in memory. Root only."""
 
 import os

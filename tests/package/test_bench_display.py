@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The display of scripts/bench_processes: a free one, ready, and never waited for in vain."""
 
 import importlib.machinery

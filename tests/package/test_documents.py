@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The tables of parameters in the documents are those of the program, and scripts/document_parameters sees where they are
 not."""
 

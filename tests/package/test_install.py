@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Installs the plugin in all the ways that README.md names, and takes it away again."""
 
 import os

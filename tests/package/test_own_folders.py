@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Scripts that make a folder anew delete only what they have made themselves."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Pairs of MeshLab's sources and library that do not belong together: configuring stops with a sentence that helps.
 
 Libraries of other MeshLabs are copies of the installed one in which the texts that tell version and precision differ;

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs README.md's examples exactly as they are printed there: the script inside meshlabserver, the commands, and the
 library example as a project of its own against the installed package."""
 

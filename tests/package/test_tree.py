@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Builds the plugin inside MeshLab's own source tree and, against the double-precision library that comes out of it, from
 outside: the same CMakeLists.txt. MeshLab's other plugins are left out, but for the reader of meshes.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // describe_plugin PLUGIN: what users' scripts hold on to, as JSON: every filter's name and Python name, its parameters
 // with kind, default, choices and which of some test values it takes (numbers only), what it says that it changes, and
 // the names of what it reports. Asks the plugin file itself, as MeshLab does, without a display.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What describe_plugin says of a plugin."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the plugin's tests share: where things are, a private MeshLab with our plugin, a display of its own."""
 
 import contextlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Drives MeshLab's window on a virtual display by keys, and by the mouse what no key reaches. Every wait is for something
 that can be seen: a window, a line of the log."""
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The plugin through MeshLab 2020.09's interface, in this process, where the host can cancel, start a filter twice and
 // look at every byte of a layer. ANISO_PLUGIN names the plugin's file.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Reads and writes binary little-endian PLY files, field by field and without any interpretation of the values."""
 
 import struct

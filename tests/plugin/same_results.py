@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """same_results.py FOLDER FOLDER...: whether the tests by script have left the same in all folders, one per MeshLab.
 
 Bit for bit: each MeshLab comes with its own compiler, and the same input gives the same result by all of them."""

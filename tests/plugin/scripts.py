@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """MeshLab filter scripts (.mlx) for our filters. A script lists all parameters: MeshLab 2020.09 aborts otherwise."""
 
 SMOOTHING = "Anisotropic Feature-Preserving Smoothing"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What apply_mlx promises besides what test_scripts.py asks of every MeshLab: defaults for what a script leaves out,
 several filters in their order, MeshLab's own filters and formats, and one clear line and nothing written when something
 is wrong."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The plugin file itself: what it shows to the process that loads it and what it needs."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The plugin in MeshLab's window on a virtual display. Screenshots stay in the test's folder below the build folder."""
 
 import re

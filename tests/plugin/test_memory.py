@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Too little memory inside MeshLab's own meshlabserver: the filter's error, no crash, no output, the input intact."""
 
 import resource

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The plugin inside PyPI's PyMeshLab: all filters, by apply_filter and as methods, on a mesh with all that a mesh carries.
 Run by scripts/test_pymeshlab. ANISO_PLUGIN and ANISOSMOOTH name plugin and command line."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Filter scripts in MeshLab, by 2020.09's meshlabserver or, since 2021, by our apply_mlx: same vertices as the command
 line, nothing else touched, clear failures."""
 

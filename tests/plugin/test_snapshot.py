@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Names, parameters, kinds, choices, defaults and ranges of every filter, what it declares to change and what it reports,
 are those of filters.json: users' scripts hold on to them. Who changes one on purpose runs
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Every filter in MeshLab's own meshlabserver under valgrind: no invalid access, nothing read that was never written, no
 memory lost, as far as our library is among the callers. What MeshLab and its libraries do alone is not looked at."""
 

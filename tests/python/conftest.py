@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Meshes for the tests, made here: the package is tested as a user has it, without the project around it."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Whatever is passed: a result or a sentence, never a crash, and nothing of the caller's is changed."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Every example of docs/python.md runs, in a folder with scan.ply and scans/."""
 
 import re

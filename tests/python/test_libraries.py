@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The doors for meshes of other libraries, against the real ones."""
 
 import numpy as np

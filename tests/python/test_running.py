@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """While it works: the interpreter goes on, Ctrl+C and progress end it, threads do not change the result."""
 
 import os

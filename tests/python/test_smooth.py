@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """smooth() against the command line, the truth, and what its keywords promise."""
 
 import json

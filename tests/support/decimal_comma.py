@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A locale whose numbers have a comma, de_DE.UTF-8, made for the tests without a change of the system."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Whether a program makes its files last: what record_flushes.cpp notes, and what has to be in it."""
 
 import os

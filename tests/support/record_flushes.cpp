@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Loaded in front of the C library (LD_PRELOAD), it notes what a program does to make its files last: a line
 // "write|flush|rename PATH" in the file $RECORD_FLUSHES for each call that succeeds; of a rename, both paths.
 

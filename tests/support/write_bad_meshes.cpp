@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // write_bad_meshes FOLDER: writes the families that a file can hold as binary PLY in single precision, and a table
 // families.txt of their names and errors for the tests of whole programs.
 

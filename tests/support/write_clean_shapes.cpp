@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // write_clean_shapes FOLDER: writes the clean shapes as binary PLY in single precision, for scripts/guided_benchmark.
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Bad files and full disks: the status and message of the contract, no partial file, nothing lost."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Every family of bad meshes through every method of the command line: the documented error and no file, or a finite
 result with all that the input had. ANISOSMOOTH and WRITE_BAD_MESHES name the programs."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The command line from end to end: exit statuses, messages, files."""
 
 import json

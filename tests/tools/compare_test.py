@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """anisosmooth compare from end to end: files, figures, pictures, failures. ANISOSMOOTH names the program."""
 
 import json

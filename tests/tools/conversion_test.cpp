@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a mesh keeps when it is written in another format, or for another folder.
 
 #include <mesh_tools/mesh_io.h>

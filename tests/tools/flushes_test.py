@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What a power cut leaves: every file of a result is flushed to the disk before it gets its name, and its folder then."""
 
 import os

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // GLB and glTF: triangles out of buffers, and other numbers back into them.
 
 #include <mesh_tools/mesh_io.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """SIGINT, SIGTERM and SIGHUP at many moments of every subcommand: status 130, nothing half written, nothing lost."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What holds vertices back on the command line, and what joins them: --max-displacement, --weights, --weld-distance.
 ANISOSMOOTH names the program."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """anisosmooth smooth IN... --out-dir DIR: each file for itself."""
 
 import json

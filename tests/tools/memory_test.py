@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Too little memory, at many limits of the address space: the error line and status 1, or the whole result."""
 
 import os

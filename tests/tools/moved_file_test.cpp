@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A file written in its own format is its own input, byte for byte, but for what moved.
 
 #include <mesh_tools/mesh_io.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Normals in a file whose vertices moved: of the same structure as before, and right.
 
 #include <mesh_tools/mesh_io.h>

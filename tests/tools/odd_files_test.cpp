@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Files as programs write them, against the letter of their formats or at its edge: what is read from them, and that
 // they come back byte for byte.
 

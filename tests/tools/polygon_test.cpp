@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cutting polygons into triangles: the same surface, nothing twice, nothing turned over.
 
 #include "io/polygon.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the paper claims of its figure 9, on the CAD part: of Table 1's six methods its filter keeps sharp edges best.
 
 #include <map>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the readers of meshes allocate for files whose headers lie, and how their work grows with the file.
 
 #include <mesh_tools/mesh_io.h>

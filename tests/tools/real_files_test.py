@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """scripts/real_files: with the real program on files of all kinds, and with programs that fail in every way."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A file that nothing moves in comes back byte for byte: generated shapes, and the folder of odd files if it is there."""
 
 import os

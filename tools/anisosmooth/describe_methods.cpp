@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // describe_methods: all methods and their tables of parameters, as JSON, for scripts/document_parameters.
 
 #include <exception>

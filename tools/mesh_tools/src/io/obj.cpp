@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads Wavefront OBJ: v (with colour), vt, vn, f, l, and materials for face colour and texture.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes Wavefront OBJ: v (with colour), vt, vn, f, l, and a material for each colour and texture of faces.
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Geomview's OFF, with the prefixes N (normals) and C (colours).
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // PLY, text and binary in both byte orders. vcglib's reader is not used: it does not check the indices of a polygon's
 // last corner, of triangle strips and range grids, trusts what the header says, and reads text slowly.
 

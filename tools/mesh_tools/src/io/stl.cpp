@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // STL, text and binary. vcglib's reader is not used: it runs past its buffer on any header without a zero byte, and
 // trusts the number of facets.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Solids of flat and cylindrical faces, built by extrusion.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "taubin_filter.h"
 
 #include "filters/step_filter.h"

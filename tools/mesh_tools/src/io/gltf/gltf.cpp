@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // glTF 2.0, GLB and JSON: the triangles of all meshes, where their nodes put them in the world.
 
 #include <cmath>

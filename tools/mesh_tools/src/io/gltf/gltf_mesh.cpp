@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the triangles of a glTF file, and where the numbers of their vertices are.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 // The kernel that runs the paper's filter for a group of sources at once, one a lane. Included once by each of the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "simd_avx512.h"
 
 #include "lane_kernel.h"
