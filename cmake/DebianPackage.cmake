@@ -2,7 +2,7 @@
 # `cpack` in the build folder makes a Debian package of the plugin. MeshLab takes plugins of exactly its own version, so
 # the package depends on the installed MeshLab's, which brings every library that the plugin needs.
 
-if(NOT TARGET filter_anisotropic_smooth)
+if(NOT TARGET filter_anisotropic_smooth OR CMAKE_VERSION VERSION_LESS 3.22)  # which tells the distribution
   return()
 endif()
 execute_process(COMMAND dpkg-query --showformat=\${Version} --show meshlab

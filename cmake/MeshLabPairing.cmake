@@ -42,9 +42,9 @@ function(aniso_check_meshlab_pairing scalar)
   endif()
 
   # A vcglib that stayed in the cache from other sources has other layouts of the same classes.
-  file(REAL_PATH ${VCGLIB_DIR} taken)
+  get_filename_component(taken ${VCGLIB_DIR} REALPATH)
   foreach(candidate IN ITEMS ${MESHLAB_SOURCE_DIR}/vcglib ${MESHLAB_SOURCE_DIR}/src/vcglib)
-    file(REAL_PATH ${candidate} own)
+    get_filename_component(own ${candidate} REALPATH)
     if(EXISTS ${own}/vcg/complex/complex.h AND NOT taken STREQUAL own)
       message(FATAL_ERROR "vcglib is taken from ${VCGLIB_DIR}, but the MeshLab that loads the plugin was built with "
         "the one in ${own}, and they may differ. Give -DVCGLIB_DIR=${own}.")

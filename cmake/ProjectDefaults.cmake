@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What every target of this project shares, as functions that targets call: no global flags.
 
-if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+if(CMAKE_SOURCE_DIR STREQUAL PROJECT_SOURCE_DIR AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo or MinSizeRel" FORCE)
 endif()
 
@@ -13,9 +13,19 @@ function(aniso_target_defaults target)
   target_compile_features(${target} PUBLIC cxx_std_17)
   set_target_properties(${target} PROPERTIES
     CXX_EXTENSIONS OFF CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON POSITION_INDEPENDENT_CODE ON)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow
-    $<$<CXX_COMPILER_ID:Clang>:-Wno-gnu-zero-variadic-macro-arguments>  # GoogleTest's macros in standard C++17
-    $<$<BOOL:${ANISO_WARNINGS_AS_ERRORS}>:-Werror>)
+  if(MSVC)  # and compilers that take its options
+    target_compile_options(${target} PRIVATE /W4 /utf-8 /bigobj /Zc:__cplusplus /fp:precise
+      $<$<BOOL:${ANISO_WARNINGS_AS_ERRORS}>:/WX>)
+  else()
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow
+      $<$<CXX_COMPILER_ID:Clang>:-Wno-gnu-zero-variadic-macro-arguments>  # GoogleTest's macros in standard C++17
+      $<$<BOOL:${ANISO_WARNINGS_AS_ERRORS}>:-Werror>)
+    # Products and sums are fused where the code says so and nowhere else: compilers differ in where they would.
+    target_compile_options(${target} PRIVATE -ffp-contract=off)
+  endif()
+  if(WIN32)  # no macros min and max; M_PI, which vcglib uses
+    target_compile_definitions(${target} PRIVATE NOMINMAX WIN32_LEAN_AND_MEAN _USE_MATH_DEFINES)
+  endif()
   if(ANISO_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${ANISO_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(${target} PRIVATE -fsanitize=${ANISO_SANITIZE})
@@ -27,7 +37,7 @@ function(aniso_test_defaults target)
   aniso_target_defaults(${target})
   if(ANISO_SANITIZE)
     target_compile_options(${target} PRIVATE -O0)
-  else()
+  elseif(NOT MSVC)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
 endfunction()

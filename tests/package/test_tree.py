@@ -37,7 +37,7 @@ WITHOUT_OPTIONAL = {name: "OFF" for name in ("MESHLAB_ALLOW_OPTIONAL_EXTERNAL_LI
 
 # Imported targets live in the folder that asks for them: the plugin needs them from the top.
 EXTRA_PLUGINS = """
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.18)
 project(layout_of_meshlab_extra_plugins)
 find_package(OpenGL REQUIRED)
 find_package(Qt5 REQUIRED COMPONENTS OpenGL Xml Network)

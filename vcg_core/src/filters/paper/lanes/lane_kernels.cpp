@@ -9,7 +9,7 @@ extern const LaneKernel portable_kernel;
 
 std::vector<const LaneKernel*> supported_lane_kernels() {
   std::vector<const LaneKernel*> found;
-#if defined(__x86_64__)
+#ifdef VCG_CORE_WIDE_KERNELS
   if (avx512_kernel.supported()) found.push_back(&avx512_kernel);
   if (avx2_kernel.supported()) found.push_back(&avx2_kernel);
 #endif
