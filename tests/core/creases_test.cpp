@@ -105,8 +105,8 @@ TEST(Creases, AreNothingToTheOtherFilters) {
 
 TEST(Creases, ThatAreNoEdgesDoNothing) {
   const FlatMesh noisy = roof(60, 0.1);
-  const auto far = static_cast<std::uint32_t>(noisy.points.size() - 1);
-  const Smoothed found = smoothed_with(noisy, {0, far, 7, 7}, Method::guided);
+  const auto last = static_cast<std::uint32_t>(noisy.points.size() - 1);
+  const Smoothed found = smoothed_with(noisy, {0, last, 7, 7}, Method::guided);
   EXPECT_EQ(found.report.crease_edges, 0u);
   EXPECT_EQ(found.mesh.points, smoothed_with(noisy, {}, Method::guided).mesh.points);
 }

@@ -304,14 +304,14 @@ TEST_P(LaneKernels, LookAtTheRowsWithinReachOfASource) {
     for (std::uint32_t row = 0; row < patch.rows; ++row) in_patch[builder.vertex(row)] = true;
     for (Index g = patch_begin[p]; g < patch_begin[p + 1]; ++g) {
       const PatchGroup& group = builder.group(g);
-      std::vector<bool> near(arrays.size(), false);
-      for (std::uint32_t rank = 0; rank < group.rows; ++rank) near[builder.vertex(group.row_at[rank])] = true;
+      std::vector<bool> is_near(arrays.size(), false);
+      for (std::uint32_t rank = 0; rank < group.rows; ++rank) is_near[builder.vertex(group.row_at[rank])] = true;
       for (Index v = 0; v < arrays.size(); ++v) {
         double nearest = 1e9;
         for (Index s = groups.begin[g]; s < groups.begin[g + 1]; ++s)
           nearest = std::min(nearest, (arrays.position[v] - arrays.position[groups.member[s]]).norm() / mesh.unit());
         if (std::abs(nearest - reach) < 1e-5) continue;  // by rounding
-        EXPECT_EQ(near[v], in_patch[v] && nearest < reach) << v;
+        EXPECT_EQ(is_near[v], in_patch[v] && nearest < reach) << v;
       }
     }
   }

@@ -323,10 +323,10 @@ TEST(SmoothingReportWarnings, OfAMeshFarFromTheOrigin) {
       if (sentence.find("far from the origin") != std::string::npos) return true;
     return false;
   };
-  FloatMesh far_away, near;
+  FloatMesh far_away, close_by;
   DoubleMesh in_double;
   EXPECT_TRUE(warned(far_away, 1e6));
-  EXPECT_FALSE(warned(near, 0));
+  EXPECT_FALSE(warned(close_by, 0));
   EXPECT_FALSE(warned(in_double, 1e6));
 }
 

@@ -202,11 +202,11 @@ TEST_F(MovedNormals, only_normals_near_what_moved_change) {
     obj += "\n";
   }
   const Point3d place = mesh.vert[11].cP();
-  std::vector<bool> near(mesh.vert.size());
+  std::vector<bool> beside(mesh.vert.size());
   for (const auto& face : mesh.face)
     for (int k = 0; k < 3; ++k)
       if (face.cP(k) == place)
-        for (int c = 0; c < 3; ++c) near[vcg::tri::Index(mesh, face.cV(c))] = true;
+        for (int c = 0; c < 3; ++c) beside[vcg::tri::Index(mesh, face.cV(c))] = true;
   const std::vector<std::string> before = lines_of(obj), after = moved(write("a.obj", obj), [&](const Point3d&p) {
                                                            return p == place ? p * 1.1 : p;
                                                          });
@@ -216,8 +216,8 @@ TEST_F(MovedNormals, only_normals_near_what_moved_change) {
       EXPECT_EQ(before[i] == after[i], i != 22) << "line " << i;
       continue;
     }
-    EXPECT_EQ(before[i] != after[i], near[i / 2]) << "vertex " << i / 2;
-    if (!near[i / 2]) continue;
+    EXPECT_EQ(before[i] != after[i], beside[i / 2]) << "vertex " << i / 2;
+    if (!beside[i / 2]) continue;
     EXPECT_NEAR(normal_of(after[i]).Norm(), 1, 1e-12);
   }
 }

@@ -260,19 +260,19 @@ TEST(Shapes, thin_ones_are_as_thin_as_they_say) {
 
 TEST(Shapes, graded_cube_grows_tenfold) {
   const Mesh mesh = make_shape("graded_cube", 20000);
-  double near = 0, far = 0;
+  double inside = 0, outside = 0;
   int near_count = 0, far_count = 0;
   for (const auto& face : mesh.face) {
     const vcg::Point3d centre = (face.cP(0) + face.cP(1) + face.cP(2)) / 3;
     for (int k = 0; k < 3; ++k) {
       const double length = (face.cP(k) - face.cP((k + 1) % 3)).Norm();
-      if (centre.Norm() < 0.1) near += length, ++near_count;
-      if (centre.Norm() > 1.55) far += length, ++far_count;
+      if (centre.Norm() < 0.1) inside += length, ++near_count;
+      if (centre.Norm() > 1.55) outside += length, ++far_count;
     }
   }
   ASSERT_GT(far_count, 0);
   // Near the far corner the spacing is 9.3 to 10 times that of the near one, where it has grown by up to 1.5 already.
-  const double ratio = far / far_count / (near / near_count);
+  const double ratio = outside / far_count / (inside / near_count);
   EXPECT_GT(ratio, 6);
   EXPECT_LT(ratio, 10);
   const EdgeLengths lengths = edge_lengths_of(mesh);

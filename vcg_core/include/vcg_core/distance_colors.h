@@ -28,7 +28,7 @@ inline constexpr Rgb unreachable_color{128, 128, 128};
 /// than a mesh in single precision can store: files and programs take no infinity well, and no distance is negative.
 template <class Quality = double>
 Quality distance_quality(double distance) {
-  return distance <= std::numeric_limits<Quality>::max() ? static_cast<Quality>(distance) : Quality(-1);
+  return distance <= (std::numeric_limits<Quality>::max)() ? static_cast<Quality>(distance) : Quality(-1);
 }
 
 /// The colour at `fraction` in [0, 1] of the largest distance: from red at the source through yellow to blue. All of

@@ -101,11 +101,11 @@ double SurfaceDistance::operator()(const vcg::Point3d& point, double bound) cons
     for (int i = 0; i < node.count; ++i)
       best = std::min(best, squared_distance_to_triangle(point, triangles_[node.first + i]));
     if (node.count > 0) continue;
-    Visit near{node.first, squared_distance_to_box(point, nodes_[node.first].low, nodes_[node.first].high)};
-    Visit far{node.first + 1, squared_distance_to_box(point, nodes_[node.first + 1].low, nodes_[node.first + 1].high)};
-    if (far.squared_distance < near.squared_distance) std::swap(near, far);
-    stack[depth++] = far;
-    stack[depth++] = near;
+    Visit nearer{node.first, squared_distance_to_box(point, nodes_[node.first].low, nodes_[node.first].high)};
+    Visit farther{node.first + 1, squared_distance_to_box(point, nodes_[node.first + 1].low, nodes_[node.first + 1].high)};
+    if (farther.squared_distance < nearer.squared_distance) std::swap(nearer, farther);
+    stack[depth++] = farther;
+    stack[depth++] = nearer;
   }
   return std::sqrt(best);
 }

@@ -23,7 +23,7 @@ struct ArrayAllocator {
   ArrayAllocator(const ArrayAllocator<U>& /*other*/) noexcept {}
 
   T* allocate(std::size_t n) {
-    if (n > std::numeric_limits<std::size_t>::max() / sizeof(T)) throw std::bad_alloc();
+    if (n > (std::numeric_limits<std::size_t>::max)() / sizeof(T)) throw std::bad_alloc();
     return static_cast<T*>(allocate_array(n * sizeof(T)));
   }
   void deallocate(T* block, std::size_t n) noexcept { free_array(block, n * sizeof(T)); }

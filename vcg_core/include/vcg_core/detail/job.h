@@ -77,7 +77,7 @@ class Job {
     constexpr std::size_t between_polls = 65536;  // a millisecond or two, where each index misses the cache
     for (std::size_t begin = 0; begin < count; begin += between_polls) {
       poll();
-      const std::size_t end = std::min(count, begin + between_polls);
+      const std::size_t end = (std::min)(count, begin + between_polls);
       for (std::size_t i = begin; i < end; ++i) body(i);
     }
   }

@@ -43,7 +43,7 @@ struct IndexRows {
 struct FlagRows {
   const void* data = nullptr;  ///< null: no mark is set
   std::ptrdiff_t stride = 1;
-  std::uint32_t mask = std::numeric_limits<std::uint32_t>::max();
+  std::uint32_t mask = (std::numeric_limits<std::uint32_t>::max)();
   std::size_t size = 1;  ///< bytes of a mark: 1 or 4
 
   explicit operator bool() const { return data != nullptr; }

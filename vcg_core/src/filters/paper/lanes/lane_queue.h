@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "lowest_bit.h"
 #include "patch.h"
 
 namespace vcg_core::detail {
@@ -44,7 +45,7 @@ class DistanceQueue {
       if (word++ == words) return nothing;
       lowest_ = lowest_ / 64 * 64 + 64;
     }
-    lowest_ = lowest_ / 64 * 64 + static_cast<std::uint32_t>(__builtin_ctzll(bits));
+    lowest_ = lowest_ / 64 * 64 + lowest_bit(bits);
     const std::uint32_t rank = q_.first[lowest_ % queue_buckets];
     take(rank);
     return rank;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lane_nearest.h"
+#include "lowest_bit.h"
 
 namespace vcg_core::detail {
 namespace {
@@ -40,7 +41,7 @@ class MarchState {
     Nearest nearest;
     for (; faces != 0; faces &= faces - 1) {
       ++looks;
-      const std::uint32_t f = begin + static_cast<std::uint32_t>(__builtin_ctz(faces));
+      const std::uint32_t f = begin + lowest_bit(faces);
       nearest.look_at(Simd::load(at(p_.row_1[f])), Simd::load(at(p_.row_2[f])), in_all_lanes(p_.shape[f]));
     }
     count_looks(looks);

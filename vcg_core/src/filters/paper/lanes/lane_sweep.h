@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <math.h>
+
 #include "lane_state.h"
+#include "lowest_bit.h"
 
 namespace vcg_core::detail {
 namespace {
@@ -66,7 +69,7 @@ class Sweep : MarchState {
       front_ = rank + 1;
       look_back(row, faces);
       if (rank % stride != 0) continue;
-      const float behind = __builtin_sqrtf(g_.squared_radius[rank]) - lag;
+      const float behind = ::sqrtf(g_.squared_radius[rank]) - lag;
       while (settled < rank && g_.squared_radius[settled] < behind * behind) ++settled;
       if (!clean_below(settled)) return false;
     }
@@ -94,7 +97,7 @@ class Sweep : MarchState {
     std::uint32_t looks = 0;
     for (; faces != 0; faces &= faces - 1) {
       ++looks;
-      const std::uint32_t f = begin + static_cast<std::uint32_t>(__builtin_ctz(faces));
+      const std::uint32_t f = begin + lowest_bit(faces);
       const auto [of_row_1, of_row_2] = gains(f, from);
       if (of_row_1.any()) renew(p_.row_1[f], p_.marks[f].of_row_1);
       if (of_row_2.any()) renew(p_.row_2[f], p_.marks[f].of_row_2);
@@ -124,7 +127,7 @@ class Sweep : MarchState {
       if (++word > (end - 1) / 64) return end;
       bits = g_.dirty[word];
     }
-    return word * 64 + static_cast<std::uint32_t>(__builtin_ctzll(bits));
+    return word * 64 + lowest_bit(bits);
   }
 
   void renew_pending(std::uint32_t row) {

@@ -134,7 +134,7 @@ struct LaneKernel {
   const char* name;
   std::uint32_t lanes;
   bool (*supported)();
-  LaneNear near;
+  LaneNear within_reach;
   LaneShape shape;
   LaneMarch march;
   LaneOffsets offsets;

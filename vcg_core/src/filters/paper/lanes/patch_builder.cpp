@@ -17,7 +17,7 @@ PatchBuilder::PatchBuilder(const LaneMesh& lanes, const LaneKernel& kernel)
     : lanes_(lanes),
       lane_count_(kernel.lanes),
       per_unit_(1 / lanes.mesh.topology.average_edge_length),
-      order_(kernel.near),
+      order_(kernel.within_reach),
       row_of_(lanes.mesh.size()) {}
 
 const Patch& PatchBuilder::build(std::size_t first, std::size_t last, double reach, const std::function<void()>& poll) {
@@ -129,12 +129,12 @@ void PatchBuilder::consider(Index vertex) {
     const float reach = ball.radius + reach_;
     return x * x + y * y + z * z <= reach * reach;
   };
-  bool near = within(ball_[last_near_]);
-  for (std::size_t g = 0; !near && g < ball_.size(); ++g) {
-    near = within(ball_[g]);
-    if (near) last_near_ = g;
+  bool is_near = within(ball_[last_near_]);
+  for (std::size_t g = 0; !is_near && g < ball_.size(); ++g) {
+    is_near = within(ball_[g]);
+    if (is_near) last_near_ = g;
   }
-  if (near) {
+  if (is_near) {
     row_of_.set(vertex, static_cast<std::uint32_t>(rows_.size()));
     rows_.push_back(row);
   } else {

@@ -63,9 +63,9 @@ class Grouper {
   void fill_up(Index seed) {
     constexpr double hops_apart = 4;   // twice the radius of a full group: farther sources share few neighbours
     constexpr Index look_ahead = 256;  // vertices; as the order is along a curve, later ones are rarely near
-    const double far = hops_apart * mesh_.topology.average_edge_length;
+    const double apart = hops_apart * mesh_.topology.average_edge_length;
     for (Index v = seed + 1; v < block_end_ && v - seed < look_ahead && !full(); ++v)
-      if (state(v) == State::left && (mesh_.position[v] - mesh_.position[seed]).norm() < far) grow_from(v);
+      if (state(v) == State::left && (mesh_.position[v] - mesh_.position[seed]).norm() < apart) grow_from(v);
   }
 
   void take(Index v) {
@@ -116,11 +116,11 @@ SourceGroups group_sources(const MeshArrays& mesh, std::uint32_t lanes, Job& job
 Array<Index> patch_groups(const SourceGroups& groups, const MeshArrays& mesh) {
   constexpr Index most_groups = 16;    // more hardly lower the share of the building, and the patch leaves the cache
   constexpr double far_in_edges = 16;  // places stay within some tens of |e|, and floats exact to 4e-6 |e|
-  const double far = far_in_edges * mesh.topology.average_edge_length;
+  const double apart = far_in_edges * mesh.topology.average_edge_length;
   const auto place = [&](Index g) { return mesh.position[groups.member[groups.begin[g]]]; };
   Array<Index> begin;
   for (Index g = 0; g < groups.size(); ++g)
-    if (begin.empty() || g - begin.back() == most_groups || (place(g) - place(begin.back())).norm() > far)
+    if (begin.empty() || g - begin.back() == most_groups || (place(g) - place(begin.back())).norm() > apart)
       begin.push_back(g);
   begin.push_back(static_cast<Index>(groups.size()));
   return begin;
