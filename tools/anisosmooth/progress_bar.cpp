@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "progress_bar.h"
 
-#include <unistd.h>
-
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 
 #include "interrupt.h"
+#include "terminal.h"
 
 namespace anisosmooth {
 namespace {
@@ -16,7 +15,7 @@ double seconds() { return std::chrono::duration<double>(std::chrono::steady_cloc
 
 }  // namespace
 
-ProgressBar::ProgressBar(bool quiet) : enabled_(!quiet && ::isatty(STDERR_FILENO)), start_(seconds()) {}
+ProgressBar::ProgressBar(bool quiet) : enabled_(!quiet && stderr_is_terminal()), start_(seconds()) {}
 
 ProgressBar::~ProgressBar() {
   if (shown_) std::fputs("\r\033[K", stderr);

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <durable_files/pending_file.h>
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <random>
 #include <string>
 #include <utility>
 
-#include "flush.h"
+#include "system.h"
 
 namespace durable_files {
 namespace fs = std::filesystem;
@@ -36,48 +29,40 @@ fs::path unpredictable_name(const fs::path& target) {
 }  // namespace
 
 PendingFile::PendingFile(const fs::path& path) : path_(path), target_(final_target(path)) {
-  struct stat old = {};
-  const bool replaces = ::stat(target_.c_str(), &old) == 0 && S_ISREG(old.st_mode);
-  // From the first byte on nobody may read the file who may not read the old one.
-  const mode_t mode = replaces ? old.st_mode & 0777 : 0666;
+  std::error_code error;
   do {
     pending_ = unpredictable_name(target_);
-    file_ = ::open(pending_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
-  } while (file_ < 0 && errno == EEXIST);
-  if (file_ < 0) {
+    file_ = system::create(pending_, target_, error);
+  } while (error == std::errc::file_exists);
+  if (error) {
     pending_.clear();
-    fail(cannot_be_written);
+    fail(cannot_be_written, error);
   }
-  if (replaces) (void)::fchmod(file_, old.st_mode & 07777);  // what the umask has taken away
 }
 
 PendingFile::~PendingFile() {
-  if (file_ >= 0) ::close(file_);
-  if (!pending_.empty()) ::unlink(pending_.c_str());
+  std::error_code ignored;
+  if (file_ >= 0) ignored = system::close(file_);
+  if (!pending_.empty()) fs::remove(pending_, ignored);
 }
 
 void PendingFile::write(std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(file_, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail(not_to_its_end);
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
+  if (const std::error_code error = system::write(file_, bytes)) fail(not_to_its_end, error);
 }
 
 void PendingFile::complete() {
-  if (!flush(file_)) fail(not_to_its_end);
-  if (::close(std::exchange(file_, -1)) != 0) fail(not_to_its_end);
+  if (const std::error_code error = system::flush(file_)) fail(not_to_its_end, error);
+  if (const std::error_code error = system::close(std::exchange(file_, -1))) fail(not_to_its_end, error);
 }
 
 void PendingFile::put_in_place() {
-  if (std::rename(pending_.c_str(), target_.c_str()) != 0) fail(cannot_be_written);
+  if (const std::error_code error = system::rename(pending_, target_)) fail(cannot_be_written, error);
   pending_.clear();
   flush_folder(target_.parent_path());
 }
 
-void PendingFile::fail(const char* what) const {
-  throw WriteError(path_.string() + ": " + what + ": " + std::strerror(errno));
+void PendingFile::fail(const char* what, const std::error_code& error) const {
+  throw WriteError(path_.string() + ": " + what + ": " + error.message());
 }
 
 }  // namespace durable_files

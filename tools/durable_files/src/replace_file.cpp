@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <durable_files/replace_file.h>
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <string>
+#include <system_error>
 
-#include "flush.h"
+#include "system.h"
 
 namespace durable_files {
 namespace fs = std::filesystem;
@@ -34,28 +28,13 @@ fs::path final_target(const fs::path& path) {
     if (error) fail(path, error.message());
     target = link.is_absolute() ? link : target.parent_path() / link;
   }
-  fail(path, std::strerror(ELOOP));
+  fail(path, std::make_error_code(std::errc::too_many_symbolic_link_levels).message());
 }
 
 void replace_file(const fs::path& from, const fs::path& to) {
-  const int file = ::open(from.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
-  if (file < 0) fail(to, std::strerror(errno));
-  struct stat old = {};
-  const bool replaces = ::stat(to.c_str(), &old) == 0;
-  if (replaces) (void)::fchmod(file, old.st_mode & 07777);
-  const int error = flush(file) ? 0 : errno;
-  ::close(file);
-  if (error != 0) fail(to, std::strerror(error));
-  if (std::rename(from.c_str(), to.c_str()) != 0) fail(to, std::strerror(errno));
+  if (const std::error_code error = system::flush(from, to)) fail(to, error.message());
+  if (const std::error_code error = system::rename(from, to)) fail(to, error.message());
   flush_folder(to.parent_path());
-}
-
-void flush_folder(const fs::path& folder) {
-  // A folder that one may write to but not read cannot be opened; then the rename alone has to do.
-  const int opened = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (opened < 0) return;
-  flush(opened);
-  ::close(opened);
 }
 
 }  // namespace durable_files

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string_view>
+#include <system_error>
 
 #include <durable_files/replace_file.h>
 
@@ -33,7 +34,7 @@ class PendingFile {
   void put_in_place();
 
  private:
-  [[noreturn]] void fail(const char* what) const;
+  [[noreturn]] void fail(const char* what, const std::error_code& error) const;
 
   std::filesystem::path path_;     // as it was given, for messages
   std::filesystem::path target_;   // where it goes

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <mesh_tools/mesh_io.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
@@ -12,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include <durable_files/access.h>
 #include <durable_files/pending_file.h>
 #include <vcg/complex/algorithms/update/normal.h>
 
@@ -99,13 +98,14 @@ void check_place(const fs::path& path) {
   const fs::path target = durable_files::final_target(path);
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, error)) io::fail(path, "cannot be written: there is no folder " + folder.string());
-  if (::access(folder.c_str(), W_OK | X_OK) != 0)
-    io::fail(path, "cannot be written: folder " + folder.string() + ": " + std::strerror(errno));
+  if (const std::error_code denied = durable_files::check_folder_writable(folder))
+    io::fail(path, "cannot be written: folder " + folder.string() + ": " + denied.message());
   const fs::file_status status = fs::status(target, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
     io::fail(path, "cannot be written: exists and is not a regular file");
-  if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0)
-    io::fail(path, std::string("cannot be written: ") + std::strerror(errno));
+  if (!fs::exists(status)) return;
+  if (const std::error_code denied = durable_files::check_writable(target))
+    io::fail(path, "cannot be written: " + denied.message());
 }
 
 /// Does `write` with its errors as this library's.
@@ -201,7 +201,8 @@ MeshFile read_mesh(const fs::path& path, OriginalFile* original) {
   if (!fs::exists(status)) io::fail(path, "does not exist");
   if (fs::is_directory(status)) io::fail(path, "is a folder; a mesh file is needed");
   if (!fs::is_regular_file(status)) io::fail(path, "is not a regular file");
-  if (::access(path.c_str(), R_OK) != 0) io::fail(path, std::string("cannot be read: ") + std::strerror(errno));
+  if (const std::error_code denied = durable_files::check_readable(path))
+    io::fail(path, "cannot be read: " + denied.message());
   if (fs::file_size(path, error) == 0) io::fail(path, "is empty");
   const std::string kind = extension(path);
   std::string bytes = io::read_bytes(path);
