@@ -42,7 +42,9 @@ FilterAnisotropicSmooth::FilterAnisotropicSmooth() : filters_(meshlab_plugin::al
 
 QString FilterAnisotropicSmooth::filterName(FilterId id) const { return filters_.at(id).name; }
 
-QString FilterAnisotropicSmooth::filterInfo(FilterId id) const { return filters_.at(id).help; }
+QString FilterAnisotropicSmooth::filterInfo(FilterId id) const {
+  return filters_.at(id).help + "<br>Version " ANISO_VERSION " of the plugin.";
+}
 
 QString FilterAnisotropicSmooth::pythonFilterName(FilterId id) const { return filters_.at(id).python_name; }
 

@@ -5,7 +5,7 @@ import re
 import subprocess
 import unittest
 
-from environment import PLUGIN
+from environment import PLUGIN, SOURCE, TOOL
 
 
 class Binary(unittest.TestCase):
@@ -21,6 +21,12 @@ class Binary(unittest.TestCase):
                              r"|lib(GL|OpenGL|GLEW|GLU)\.so[.\d]*")
         self.assertEqual([name for name in needed if not allowed.fullmatch(name)], [])
         self.assertNotRegex(dynamic, r"\((RPATH|RUNPATH)\)")
+
+    def test_says_the_version_that_the_command_line_says(self):
+        (version,) = re.findall(r"project\(\w+ VERSION ([\d.]+)", (SOURCE / "CMakeLists.txt").read_text())
+        said = subprocess.run([TOOL, "--version"], check=True, capture_output=True, text=True).stdout.strip()
+        self.assertEqual(said, version)
+        self.assertIn(f"Version {version} of the plugin.".encode(), PLUGIN.read_bytes())
 
 
 if __name__ == "__main__":
