@@ -1,0 +1,11 @@
+#pragma once
+
+#include "meshfilterplugin.h"
+
+#include <memory>
+#include <vector>
+
+struct MeshFilterPluginManager {
+  void registerPlugin(std::unique_ptr<MeshFilterPlugin> plugin) { plugins.push_back(std::move(plugin)); }
+  std::vector<std::unique_ptr<MeshFilterPlugin>> plugins;
+};
