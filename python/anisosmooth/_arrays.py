@@ -61,6 +61,17 @@ def edges(values, name="creases"):
     return _indices(values, name, 2)
 
 
+def without_place(vertices, faces, creases=None):
+    """(n,) of bytes, 1 where a vertex has no finite place and nothing uses it; None if there is no such vertex."""
+    undefined = ~np.isfinite(vertices).all(axis=1)
+    if not undefined.any():
+        return None
+    for users in (faces, creases):
+        if users is not None:
+            undefined[users[(users >= 0) & (users < len(vertices))]] = False
+    return undefined.astype(np.uint8) if undefined.any() else None
+
+
 def marks(values, name, count):
     """(n,) of bytes, 0 or 1, from booleans or from indices of vertices."""
     array = np.asarray(values)

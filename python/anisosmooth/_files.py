@@ -30,6 +30,11 @@ class MeshFile:
         return self._array("triangles")
 
     @property
+    def creases(self):
+        """(k, 2) int64: edges that the file names, as pairs of vertices, for smooth's `creases`; None if there are none."""
+        return self._array("edges")
+
+    @property
     def colors(self):
         """(n, 4) bytes of red, green, blue and alpha, or None."""
         return self._array("colors")

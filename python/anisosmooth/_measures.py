@@ -17,7 +17,8 @@ def distance(V, F, source, progress=None):
     index = int(np.asarray(source).__index__())
     if index < 0:
         raise ValueError(f"source is {index}; allowed are indices of vertices, from 0 on")
-    return _core.distance(_arrays.positions(V), _arrays.triangles(F), index, progress)
+    vertices, faces = _arrays.positions(V), _arrays.triangles(F)
+    return _core.distance(vertices, faces, _arrays.without_place(vertices, faces), index, progress)
 
 
 def estimate_noise(V, F, threads=0, progress=None):
@@ -27,7 +28,8 @@ def estimate_noise(V, F, threads=0, progress=None):
     V : (n, 3) float32 or float64;  F : (m, 3) integers
     Raises ValueError, Cancelled (see smooth).
     """
-    return _core.estimate_noise(_arrays.positions(V), _arrays.triangles(F), threads, progress)
+    vertices, faces = _arrays.positions(V), _arrays.triangles(F)
+    return _core.estimate_noise(vertices, faces, _arrays.without_place(vertices, faces), threads, progress)
 
 
 def measure(V, F, V_ref, F_ref=None, V_noisy=None, threads=0):

@@ -67,8 +67,9 @@ def smooth(V, F, method="guided", **keywords):
     limit = given["max_displacement"]
     report = json.loads(
         _core.smooth(
-            result, faces, method, parameters, selected, weights, creases, colors, scalars, given["weld_distance"],
-            np.inf if limit is None else limit, given["threads"], given["check"], given["progress"],
+            result, faces, method, parameters, _arrays.without_place(result, faces, creases), selected, weights, creases,
+            colors, scalars, given["weld_distance"], np.inf if limit is None else limit, given["threads"],
+            given["check"], given["progress"],
         )
     )  # fmt: skip
     results = [result, *(attribute() for attribute in attributes)]
@@ -122,7 +123,8 @@ same place are one vertex of the surface: seams do not open. The result does not
 is bit for bit that of the command line.
 
 V : (n, 3) float32 or float64
-    Positions. Other numbers are taken as float64. Never changed.
+    Positions. Other numbers are taken as float64. Never changed. Vertices without a finite place are passed over if no
+    face or crease uses them, and refused otherwise.
 F : (m, 3) integers
     Triangles, as indices of rows of V.
 method : str

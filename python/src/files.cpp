@@ -69,6 +69,16 @@ nb::object scalars(const ReadFile& read) {
   return columns<double>(read, 1, [](const auto& vertex, int) { return vertex.cQ(); });
 }
 
+nb::object edges(const ReadFile& read) {
+  if (read.file.mesh.edge.empty()) return nb::none();
+  std::vector<std::int64_t> indices;
+  indices.reserve(read.file.mesh.edge.size() * 2);
+  for (const auto& edge : read.file.mesh.edge)
+    for (int k = 0; k < 2; ++k)
+      indices.push_back(static_cast<std::int64_t>(vcg::tri::Index(read.file.mesh, edge.cV(k))));
+  return to_array(std::move(indices), 2);
+}
+
 nb::object selected(const ReadFile& read) {
   const auto& vertices = read.file.mesh.vert;
   std::vector<bool> marks(vertices.size());
@@ -174,6 +184,7 @@ void declare_files(nb::module_& module) {
   nb::class_<ReadFile>(module, "ReadFile")
       .def_prop_ro("positions", &positions)
       .def_prop_ro("triangles", &triangles)
+      .def_prop_ro("edges", &edges)
       .def_prop_ro("colors", &colors)
       .def_prop_ro("scalars", &scalars)
       .def_prop_ro("selected", &selected)

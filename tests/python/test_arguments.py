@@ -75,6 +75,33 @@ def test_says_what_is_wrong(arguments, words):
         anisosmooth.smooth(*arguments)
 
 
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+@pytest.mark.parametrize("method", ["guided", "paper", "jones", "taubin"])
+def test_vertices_without_a_place_that_nothing_uses_are_passed_over(dtype, method, mesh):
+    V, F = mesh[0].astype(dtype), mesh[1]
+    odd = np.array([[np.nan, 0, 1], [0, np.inf, np.nan]], dtype)
+    odd.view(np.uint32 if dtype == np.float32 else np.uint64)[0, 0] |= 0x1234  # which of all the NaNs it is
+    places = [100, len(V) + 1]
+    more = np.concatenate([V[:100], odd[:1], V[100:], odd[1:]])
+    faces = np.where(F >= 100, F + 1, F)
+    V2, report = anisosmooth.smooth(more, faces, method=method, return_report=True)
+    assert V2[places].tobytes() == odd.tobytes()
+    np.testing.assert_array_equal(np.delete(V2, places, axis=0), anisosmooth.smooth(V, F, method=method))
+    assert report["vertices"] == len(V)
+
+
+def test_measures_pass_over_vertices_without_a_place(mesh):
+    V, F = mesh[:2]
+    more = np.concatenate([V, [[np.nan] * 3]])
+    assert anisosmooth.estimate_noise(more, F) == anisosmooth.estimate_noise(V, F)
+    distances = anisosmooth.distance(more, F, 0)
+    np.testing.assert_array_equal(distances[:-1], anisosmooth.distance(V, F, 0))
+    assert distances[-1] == np.inf
+    for used in ({"F": np.concatenate([F, [[0, 1, len(V)]]])}, {"F": F, "creases": [[0, len(V)]]}):
+        with pytest.raises(ValueError, match="not a finite number"):
+            anisosmooth.smooth(more, **used)
+
+
 @pytest.mark.parametrize(
     "keywords, error, words",
     [

@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+import subprocess
+
 import numpy as np
 import pytest
 
@@ -48,6 +50,34 @@ def test_colors_and_scalars(mesh, tmp_path):
     assert back.selected is None and back.warnings == []
     with pytest.warns(UserWarning):
         anisosmooth.write(tmp_path / "c.stl", V, F, scalars=V[:, 2])
+
+
+def test_edges_of_a_file_are_creases(mesh, tmp_path, command_line):
+    """Passed on they give what the command line gives, which takes them by itself."""
+    V, F = mesh[0].astype(np.float32), mesh[1]
+    assert anisosmooth.read(written(tmp_path / "none.ply", V, F, [])).creases is None
+    edges = [(24 * i, 24 * ((i + 1) % 60)) for i in range(60)]  # once around the torus, where it is smooth
+    source = written(tmp_path / "creases.ply", V, F, edges)
+    file = anisosmooth.read(source)
+    assert file.creases.dtype == np.int64
+    np.testing.assert_array_equal(file.creases, edges)
+    V2 = anisosmooth.smooth(file.V, file.F, creases=file.creases)
+    assert not np.array_equal(V2, anisosmooth.smooth(file.V, file.F))
+    target = tmp_path / "by_command_line.ply"
+    subprocess.run([command_line, "smooth", source, target, "--method", "guided", "--quiet"], check=True)
+    np.testing.assert_array_equal(anisosmooth.read(target).V, V2)
+
+
+def written(path, V, F, edges):
+    header = ["ply", "format ascii 1.0", f"element vertex {len(V)}", *(f"property float {axis}" for axis in "xyz"),
+              f"element face {len(F)}", "property list uchar int vertex_indices"]
+    if edges:
+        header += [f"element edge {len(edges)}", "property int vertex1", "property int vertex2"]
+    rows = [" ".join(map(repr, map(float, point))) for point in V]
+    rows += ["3 " + " ".join(map(str, face)) for face in F]
+    rows += [f"{a} {b}" for a, b in edges]
+    path.write_text("\n".join([*header, "end_header", *rows, ""]))
+    return path
 
 
 def test_errors_are_sentences(tmp_path, mesh):
