@@ -77,7 +77,7 @@ const Arrays& noisy_arrays(const Kind& kind) {
 std::size_t count_pairs(const Arrays& arrays, double rho) {
   Job job = single_thread();
   const LaneKernel& kernel = *supported_lane_kernels().front();
-  const Array<RingFace> ring = make_rings(arrays.mesh, job);
+  const Rings ring = make_rings(arrays.mesh, job);
   const SourceGroups groups = group_sources(arrays.mesh, kernel.lanes, job);
   const LaneMesh lanes{arrays.mesh, ring, groups, arrays.mesh.position, arrays.normal};
   PatchBuilder builder(lanes, kernel);

@@ -7,7 +7,6 @@
 
 #include <vcg_core/detail/job.h>
 
-#include "copy_positions.h"
 #include "count_intersections.h"
 #include "filters/catalogue.h"
 #include "hold_back.h"
@@ -27,7 +26,7 @@ Array<std::uint8_t> find_movable(const MeshArrays& mesh, const SmoothingParamete
   Array<std::uint8_t> movable(mesh.size());
   job.serial(mesh.size(), [&](std::size_t i) {
     const bool held = (parameters.boundary == Boundary::fixed && topology.border[i]) ||
-                      (parameters.selected_only && !mesh.selected[i]) || (!mesh.weight.empty() && mesh.weight[i] == 0);
+                      (parameters.selected_only && !mesh.is_selected(i)) || (!mesh.weight.empty() && mesh.weight[i] == 0);
     const bool isolated = topology.star_begin[i] == topology.star_begin[i + 1];
     if (held) report.fixed_vertices += mesh.copies(i);
     if (!held && isolated) report.skipped_vertices.isolated += mesh.copies(i);
@@ -81,24 +80,25 @@ SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const Smoot
   describe_mesh(mesh, filter.info, parameters, result.report, job);
   const Array<std::uint8_t> movable = find_movable(mesh, parameters, result.report, job);
 
-  const FilterPass run_pass = filter.make_pass(parameters);
-  result.position = copy_positions(mesh.position, job);
+  FilterPass run_pass = filter.make_pass(parameters);
   Array<std::uint8_t> bounded;
   const int passes = filter.one_pass ? 1 : parameters.iterations;
   for (int pass = 0; pass < passes; ++pass) {
     job.begin_stage("Smoothing", 0.05 + ((parameters.check ? 0.7 : 0.99) - 0.05) * (pass + 1) / passes);
+    const Array<Vec3>& before = pass == 0 ? mesh.position : result.position;
     Array<Vec3> normal;
-    if (filter.needs_normals) normal = vertex_normals(mesh, result.position, job);
+    if (filter.needs_normals) normal = vertex_normals(mesh, before, job);
     if (filter.needs_normals && pass == 0) count_undefined_normals(mesh, normal, movable, result.report, job);
-    PassOutput output = run_pass({mesh, result.position, normal, movable, job});
+    PassOutput output = run_pass({mesh, before, normal, movable, job});
     if (pass == 0) result.report.skipped_vertices.empty_neighbourhood = output.empty_neighbourhoods;
     result.report.approximate_neighbourhoods += output.approximate_neighbourhoods;
     if (output.estimated_noise) result.report.estimated_noise = std::ldexp(*output.estimated_noise, -mesh.exponent);
     for (std::string& note : output.notes) result.report.notes.push_back(std::move(note));
-    hold_back(mesh, result.position, limits, output, job);
+    hold_back(mesh, before, limits, output, job);
     add_marks(output.bounded, bounded, job);
     result.position = std::move(output.position);
   }
+  run_pass = nullptr;  // and what it kept from pass to pass
   for (std::size_t v = 0; v < bounded.size(); ++v)
     if (bounded[v]) result.report.bounded_vertices += mesh.copies(v);
 

@@ -40,7 +40,8 @@ Array<Index> read_vertices(const MeshView& view, RawMesh& raw, Job& job) {
                                                                     : std::numeric_limits<double>::epsilon();
   raw.position.reserve(view.vertices);
   raw.host_vertex.reserve(view.vertices);
-  raw.selected.reserve(view.vertices);
+  const bool may_be_selected = view.selected_vertices || view.selected_faces;
+  if (may_be_selected) raw.selected.reserve(view.vertices);
   if (view.weights) raw.weight.reserve(view.vertices);
   std::size_t not_finite = 0;
   std::size_t first_not_finite = view.vertices;
@@ -57,7 +58,7 @@ Array<Index> read_vertices(const MeshView& view, RawMesh& raw, Job& job) {
     largest = std::max(largest, position.cwiseAbs().maxCoeff());
     raw.position.push_back(position);
     raw.host_vertex.push_back(static_cast<Index>(v));
-    raw.selected.push_back(is_set(view.selected_vertices, v));
+    if (may_be_selected) raw.selected.push_back(is_set(view.selected_vertices, v));
     if (view.weights) raw.weight.push_back(weight_at(view, v));
   }
   if (not_finite > 0)
@@ -119,10 +120,12 @@ MeshArrays read_mesh(const MeshView& view, Job& job, ReadOptions options) {
   if ((view.vertices > 0 && !view.positions) || !view.triangles || (view.crease_count > 0 && !view.creases))
     throw InvalidMesh("the view counts elements that it has no memory of");
   RawMesh raw;
-  const Array<Index> index_of = read_vertices(view, raw, job);
-  read_faces(view, index_of, raw, job);
-  require_faces(raw.face.size());
-  read_creases(view, index_of, raw, job);
+  {
+    const Array<Index> index_of = read_vertices(view, raw, job);
+    read_faces(view, index_of, raw, job);
+    require_faces(raw.face.size());
+    read_creases(view, index_of, raw, job);
+  }
   options.weld_distance = PowerOfTwo(raw.exponent) * options.weld_distance;
   return make_mesh_arrays(std::move(raw), job, options);
 }

@@ -23,7 +23,7 @@ struct RawMesh {
   Array<std::array<Index, 3>> face;
   Array<Index> host_vertex;                 ///< the caller's index of each copy; those of a vertex side by side
   Array<Index> copy_begin;                  ///< n + 1 offsets into host_vertex; empty if each vertex has one copy
-  Array<std::uint8_t> selected;             ///< whether a copy of the vertex, or a face of it, is selected
+  Array<std::uint8_t> selected;             ///< whether a copy of the vertex, or a face of it, is selected; empty: none is
   Array<std::array<Index, 2>> crease_ends;  ///< the vertices of the caller's creases, until they are found as edges
   Array<double> weight;                     ///< how far the vertex follows the filter, from 0 to 1; empty: all 1
   std::size_t host_vertex_count = 0;        ///< how many vertices the caller has, deleted ones included
@@ -34,6 +34,7 @@ struct RawMesh {
 
   std::size_t first_copy(std::size_t v) const { return copy_begin.empty() ? v : copy_begin[v]; }
   std::size_t copies(std::size_t v) const { return first_copy(v + 1) - first_copy(v); }
+  bool is_selected(std::size_t v) const { return !selected.empty() && selected[v] != 0; }
 };
 
 /// Faces around each vertex, and what they tell of the vertex. A corner is 3 * face + (0, 1 or 2).

@@ -24,7 +24,7 @@ class LanePass {
 
  private:
   struct Kept {
-    Array<RingFace> ring;
+    Rings ring;
     SourceGroups groups;
     Array<Index> patch_begin;  ///< groups by patch
   };

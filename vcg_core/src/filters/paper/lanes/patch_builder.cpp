@@ -90,7 +90,7 @@ void PatchBuilder::collect_rows(const std::function<void()>& poll) {
     patch_.has_hubs = patch_.has_hubs || end - begin > most_face_bits;
     reserve_faces(faces + (end - begin));
     for (Index s = begin; s < end; ++s) {
-      const RingFace& face = lanes_.ring[s];
+      const RingFace face = lanes_.ring[s];
       if (row_of_[face.next] == unknown) consider(face.next);
       if (row_of_[face.previous] == unknown) consider(face.previous);
       place_face(faces++, row, face);

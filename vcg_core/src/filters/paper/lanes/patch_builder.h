@@ -17,7 +17,7 @@ namespace vcg_core::detail {
 /// What the patches of one pass are cut out of.
 struct LaneMesh {
   const MeshArrays& mesh;
-  const Array<RingFace>& ring;
+  const Rings& ring;
   const SourceGroups& groups;
   const Array<Vec3>& position;  ///< in units of MeshArrays::position
   const Array<Vec3>& normal;
