@@ -3,32 +3,45 @@
 
 #include <cstddef>
 
-#include <vcg_core/mesh/vcglib_view.h>
-
 namespace anisosmooth {
 
-FileView::FileView(mesh_tools::MeshFile& file) : mesh_(file.mesh), view_(vcg_core::view_of(file.mesh)) {
-  for (const auto& edge : mesh_.edge)
-    for (int k = 0; k < 2; ++k) creases_.push_back(vcg::tri::Index(mesh_, edge.cV(k)));
-  view_.creases = vcg_core::index_rows(creases_.data(), 2 * sizeof(std::uint64_t));
-  view_.crease_count = creases_.size() / 2;
-  if (file.precision == mesh_tools::Precision::double_precision) return;
-  positions_.reserve(3 * mesh_.vert.size());
-  qualities_.reserve(mesh_.vert.size());
-  for (const auto& vertex : mesh_.vert) {
-    for (int k = 0; k < 3; ++k) positions_.push_back(static_cast<float>(vertex.cP()[k]));
-    qualities_.push_back(static_cast<float>(vertex.cQ()));
+FileView::FileView(mesh_tools::FlatFile& file) : mesh_(file.mesh) {
+  view_.vertices = mesh_.vertices();
+  view_.faces = mesh_.face.size();
+  if (!mesh_.face.empty()) view_.triangles = vcg_core::index_rows(mesh_.face[0].data(), sizeof mesh_.face[0]);
+  if (!mesh_.edge.empty()) view_.creases = vcg_core::index_rows(mesh_.edge[0].data(), sizeof mesh_.edge[0]);
+  view_.crease_count = mesh_.edge.size();
+  const auto flags_of = [](const std::vector<std::int32_t>& flags) {
+    if (flags.empty()) return vcg_core::FlagRows();
+    return vcg_core::FlagRows{flags.data(), sizeof flags[0], mesh_tools::selected_flag, sizeof flags[0]};
+  };
+  view_.selected_vertices = flags_of(mesh_.vertex_flags);
+  view_.selected_faces = flags_of(mesh_.face_flags);
+  if (!mesh_.vertex_color.empty()) view_.colors = {mesh_.vertex_color[0].V(), sizeof mesh_.vertex_color[0]};
+  const bool in_floats = file.precision == mesh_tools::Precision::single_precision;
+  if (float* const floats = mesh_.position.floats()) {
+    view_.positions = vcg_core::real_rows(floats, 3 * sizeof(float));
+  } else if (!in_floats) {
+    view_.positions = vcg_core::real_rows(mesh_.position.doubles(), 3 * sizeof(double));
+  } else {
+    for (std::size_t v = 0; v < mesh_.vertices(); ++v)
+      for (int k = 0; k < 3; ++k) positions_.push_back(static_cast<float>(mesh_.position.number(v, k)));
+    view_.positions = vcg_core::real_rows(positions_.data(), 3 * sizeof(float));
   }
-  view_.positions = vcg_core::real_rows(positions_.data(), 3 * sizeof(float));
-  view_.scalars = vcg_core::real_rows(qualities_.data(), sizeof(float));
+  if (mesh_.vertex_quality.empty()) return;
+  if (in_floats) {
+    for (const double quality : mesh_.vertex_quality) qualities_.push_back(static_cast<float>(quality));
+    view_.scalars = vcg_core::real_rows(qualities_.data(), sizeof(float));
+  } else {
+    view_.scalars = vcg_core::real_rows(mesh_.vertex_quality.data(), sizeof(double));
+  }
 }
 
 void FileView::take_back() {
-  for (std::size_t v = 0; v < qualities_.size(); ++v) {
-    auto& vertex = mesh_.vert[v];
-    for (std::size_t k = 0; k < 3; ++k) vertex.P()[static_cast<int>(k)] = positions_[3 * v + k];
-    if (qualities_[v] != static_cast<float>(vertex.cQ())) vertex.Q() = qualities_[v];
-  }
+  for (std::size_t i = 0; i < positions_.size(); ++i)
+    mesh_.position.set(i / 3, static_cast<int>(i % 3), static_cast<double>(positions_[i]));
+  for (std::size_t v = 0; v < qualities_.size(); ++v)
+    if (qualities_[v] != static_cast<float>(mesh_.vertex_quality[v])) mesh_.vertex_quality[v] = qualities_[v];
 }
 
 }  // namespace anisosmooth

@@ -2,26 +2,20 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
-#include <mesh_tools/mesh.h>
+#include <mesh_tools/flat_mesh.h>
 
 namespace anisosmooth {
 
-/// While it lives, vertices that no face or edge uses and that have no finite place are marked as deleted, so that the
-/// filters, which refuse such places, pass over them.
-class HiddenVertices {
- public:
-  explicit HiddenVertices(mesh_tools::Mesh& mesh);
-  ~HiddenVertices();
-  HiddenVertices(const HiddenVertices&) = delete;
-  HiddenVertices& operator=(const HiddenVertices&) = delete;
+/// Vertices that no face or edge uses and that have no finite place: filters refuse such places, and are to pass over
+/// them.
+struct HiddenVertices {
+  explicit HiddenVertices(const mesh_tools::FlatMesh& mesh);
 
-  std::size_t count() const { return hidden_.size(); }
-
- private:
-  mesh_tools::Mesh& mesh_;
-  std::vector<std::size_t> hidden_;
+  std::size_t count = 0;
+  std::vector<std::uint8_t> marks;  ///< 1 for each of them; empty if there is none
 };
 
 }  // namespace anisosmooth

@@ -18,15 +18,12 @@ void declare_limits(CLI::App& app, LimitOptions& options) {
                  "stays, to 1. 'quality' is the vertices' quality, whatever its name in the file");
 }
 
-std::vector<double> weights_of(const LimitOptions& options, const mesh_tools::MeshFile& file,
-                               const mesh_tools::OriginalFile& original) {
+std::vector<double> weights_of(const LimitOptions& options, const mesh_tools::FlatFile& file,
+                               const mesh_tools::SourceFile& source) {
   if (options.weights.empty()) return {};
   if (options.weights != "quality" || !(file.attributes & mesh_tools::vertex_quality_attribute))
-    return mesh_tools::vertex_property(original, options.weights);
-  std::vector<double> weights;
-  weights.reserve(file.mesh.vert.size());
-  for (const auto& vertex : file.mesh.vert) weights.push_back(vertex.cQ());
-  return weights;
+    return mesh_tools::vertex_property({source.path(), source.read()}, options.weights);
+  return file.mesh.vertex_quality;
 }
 
 void add_limits(const LimitOptions& options, nlohmann::ordered_json& json) {

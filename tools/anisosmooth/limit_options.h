@@ -22,8 +22,8 @@ struct LimitOptions {
 void declare_limits(CLI::App& app, LimitOptions& options);
 
 /// One weight for each vertex of the file, or none. Throws mesh_tools::FileError.
-std::vector<double> weights_of(const LimitOptions& options, const mesh_tools::MeshFile& file,
-                               const mesh_tools::OriginalFile& original);
+std::vector<double> weights_of(const LimitOptions& options, const mesh_tools::FlatFile& file,
+                               const mesh_tools::SourceFile& source);
 
 /// Adds the values that the user gave.
 void add_limits(const LimitOptions& options, nlohmann::ordered_json& json);

@@ -48,12 +48,13 @@ void print_table(const mesh_tools::Measurement& figures, std::optional<std::size
 }
 
 /// In the precision of the file, which bounds what counts as a cut.
-std::size_t count_self_intersections(mesh_tools::MeshFile& file) {
-  return vcg_core::count_self_intersections(FileView(file).view());
+std::size_t count_self_intersections(const mesh_tools::MeshFile& file) {
+  mesh_tools::FlatFile flat = mesh_tools::to_flat(file);
+  return vcg_core::count_self_intersections(FileView(flat).view());
 }
 
 void run(const Options& options) {
-  mesh_tools::MeshFile result = read_input(options.result);
+  const mesh_tools::MeshFile result = read_input(options.result);
   const mesh_tools::MeshFile reference = read_input(options.reference);
   std::optional<mesh_tools::MeshFile> noisy;
   if (!options.noisy.empty()) noisy.emplace(read_input(options.noisy));

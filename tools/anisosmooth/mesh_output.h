@@ -28,17 +28,20 @@ inline void write_result(const mesh_tools::MeshFile& file, const std::string& pa
 }
 
 /// The same as write_output for a mesh that was read and whose vertices have moved; see mesh_tools::write_moved().
-inline void write_moved_output(mesh_tools::MeshFile& file, mesh_tools::OriginalFile original, const std::string& path,
-                               bool recolored = false, const mesh_tools::TextFile* with = nullptr) {
+/// @param file, source  a MeshFile and an OriginalFile, or a FlatFile and a SourceFile
+template <class File, class Source>
+void write_moved_output(File& file, Source source, const std::string& path, bool recolored = false,
+                        const mesh_tools::TextFile* with = nullptr) {
   const CooperativeInterrupt scope;
-  print_warnings(mesh_tools::write_moved(file, std::move(original), path, recolored, interrupted, with));
+  print_warnings(mesh_tools::write_moved(file, std::move(source), path, recolored, interrupted, with));
 }
 
 /// The same as write_result for such a mesh.
-inline void write_moved_result(mesh_tools::MeshFile& file, mesh_tools::OriginalFile original, const std::string& path,
-                               bool recolored = false, const mesh_tools::TextFile* with = nullptr) {
+template <class File, class Source>
+void write_moved_result(File& file, Source source, const std::string& path, bool recolored = false,
+                        const mesh_tools::TextFile* with = nullptr) {
   const CooperativeInterrupt scope;
-  write_moved_output(file, std::move(original), path, recolored, with);
+  write_moved_output(file, std::move(source), path, recolored, with);
   result_is_in_place();
 }
 
@@ -52,6 +55,13 @@ inline void write_output(const mesh_tools::TextFile& file) {
 /// @param original  gets the file itself, for write_moved_result()
 inline mesh_tools::MeshFile read_input(const std::string& path, mesh_tools::OriginalFile* original = nullptr) {
   mesh_tools::MeshFile file = mesh_tools::read_mesh(path, original);
+  print_warnings(file.warnings);
+  return file;
+}
+
+/// The same as flat arrays.
+inline mesh_tools::FlatFile read_flat_input(const std::string& path, mesh_tools::SourceFile* source = nullptr) {
+  mesh_tools::FlatFile file = mesh_tools::read_flat(path, source);
   print_warnings(file.warnings);
   return file;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -37,12 +38,10 @@ struct Options {
   bool quiet = false;
 };
 
-bool has_selection(const mesh_tools::Mesh& mesh) {
-  for (const auto& vertex : mesh.vert)
-    if (vertex.IsS()) return true;
-  for (const auto& face : mesh.face)
-    if (face.IsS()) return true;
-  return false;
+bool has_selection(const mesh_tools::FlatMesh& mesh) {
+  const auto is_selected = [](std::int32_t flags) { return (flags & mesh_tools::selected_flag) != 0; };
+  return std::any_of(mesh.vertex_flags.begin(), mesh.vertex_flags.end(), is_selected) ||
+         std::any_of(mesh.face_flags.begin(), mesh.face_flags.end(), is_selected);
 }
 
 void print_summary(const std::string& output, const MethodInfo& method, const SmoothingReport& report) {
@@ -79,8 +78,8 @@ void check_report_path(const std::string& report, const std::vector<FilePair>& p
 }
 
 struct Smoothed {
-  mesh_tools::MeshFile file;
-  mesh_tools::OriginalFile original;
+  mesh_tools::FlatFile file;
+  mesh_tools::SourceFile source;
   SmoothingReport report;
   ordered_json json;
 };
@@ -89,22 +88,23 @@ Smoothed smooth_input(const Options& options, const FilePair& pair, const Method
                       SmoothingParameters parameters, const vcg_core::Progress& progress) {
   mesh_tools::check_writable(pair.output, pair.input);
   Smoothed result;
-  result.file = read_input(pair.input, &result.original);
+  result.file = read_flat_input(pair.input, &result.source);
   for (const vcg_core::ParameterInfo& row : method.parameters) {
     if (!row.values.by_selection || options.parameters.given(row) || !has_selection(result.file.mesh)) continue;
     row.set(parameters, 1);
     if (!options.quiet)
       std::cerr << pair.input << ": has a selection: only selected vertices move (--no-selected moves all)\n";
   }
-  std::vector<double> weights = weights_of(options.limits, result.file, result.original);
+  std::vector<double> weights = weights_of(options.limits, result.file, result.source);
   const HiddenVertices hidden(result.file.mesh);
-  if (const std::size_t count = hidden.count(); count > 0)
+  if (const std::size_t count = hidden.count; count > 0)
     print_warnings({pair.input + ": " + std::to_string(count) +
                     (count == 1 ? " vertex that no face uses has" : " vertices that no face uses have") +
                     " coordinates that are not finite; the filter passes over " + (count == 1 ? "it" : "them")});
   const CooperativeInterrupt scope;
-  result.report =
-      smooth_file(result.file, method.method, parameters, progress, options.limits.limits, std::move(weights)).report;
+  result.report = smooth_file(result.file, method.method, parameters, progress, options.limits.limits,
+                              std::move(weights), hidden.marks)
+                      .report;
   result.json = {{"method", method.name}, {"parameters", to_json(method, parameters)}};
   add_limits(options.limits, result.json["parameters"]);
   result.json.update(to_json(result.report));
@@ -120,8 +120,7 @@ void run_one(const Options& options, const FilePair& pair, const MethodInfo& met
   }
   std::optional<mesh_tools::TextFile> text;
   if (!options.report.empty()) text = {options.report, json_text(result.json)};
-  write_moved_result(result.file, std::move(result.original), pair.output, parameters.smooth_color,
-                     text ? &*text : nullptr);
+  write_moved_result(result.file, result.source, pair.output, parameters.smooth_color, text ? &*text : nullptr);
   print_warnings(result.report.warnings());
   if (!options.quiet) print_summary(pair.output, method, result.report);
 }
@@ -136,7 +135,7 @@ void run(const Options& options) {
   if (!options.files.are_many()) return run_one(options, pairs[0], method, parameters);
   smooth_each(pairs, options.report, options.quiet, [&](const FilePair& pair, const vcg_core::Progress& progress) {
     Smoothed result = smooth_input(options, pair, method, parameters, progress);
-    write_moved_output(result.file, std::move(result.original), pair.output, parameters.smooth_color);
+    write_moved_output(result.file, result.source, pair.output, parameters.smooth_color);
     return std::move(result.json);
   });
 }

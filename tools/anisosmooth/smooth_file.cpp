@@ -9,11 +9,13 @@
 
 namespace anisosmooth {
 
-SmoothedFile smooth_file(mesh_tools::MeshFile& file, vcg_core::Method method,
+SmoothedFile smooth_file(mesh_tools::FlatFile& file, vcg_core::Method method,
                          const vcg_core::SmoothingParameters& parameters, const vcg_core::Progress& progress,
-                         const vcg_core::SmoothingLimits& limits, std::vector<double> weights) {
+                         const vcg_core::SmoothingLimits& limits, std::vector<double> weights,
+                         const std::vector<std::uint8_t>& hidden) {
   FileView mesh(file);
   if (!weights.empty()) mesh.view().weights = vcg_core::real_rows(weights.data(), sizeof(double));
+  if (!hidden.empty()) mesh.view().deleted_vertices.data = hidden.data();
   const auto start = std::chrono::steady_clock::now();
   SmoothedFile result;
   result.report = vcg_core::smooth(mesh.view(), method, parameters, progress, limits);

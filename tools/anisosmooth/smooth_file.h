@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <mesh_tools/mesh_io.h>
@@ -18,8 +19,10 @@ struct SmoothedFile {
 
 /// Smooths in the precision of the file.
 /// @param weights  as MeshView has them; empty: all 1
-SmoothedFile smooth_file(mesh_tools::MeshFile& file, vcg_core::Method method,
+/// @param hidden   a mark for each vertex that the filter passes over; empty: none
+SmoothedFile smooth_file(mesh_tools::FlatFile& file, vcg_core::Method method,
                          const vcg_core::SmoothingParameters& parameters, const vcg_core::Progress& progress,
-                         const vcg_core::SmoothingLimits& limits = {}, std::vector<double> weights = {});
+                         const vcg_core::SmoothingLimits& limits = {}, std::vector<double> weights = {},
+                         const std::vector<std::uint8_t>& hidden = {});
 
 }  // namespace anisosmooth

@@ -32,7 +32,6 @@ Comparison compare_methods(mesh_tools::MeshFile noisy, std::optional<mesh_tools:
   const mesh_tools::Mesh* const truth = comparison.reference ? &comparison.reference->mesh : nullptr;
   if (truth) comparison.noisy_figures = mesh_tools::measure(file.mesh, *truth, nullptr, threads);
 
-  const Positions before = positions_of(file.mesh);
   for (const Method method : table_1) {
     MethodRun run;
     run.method = vcg_core::method_info(method);
@@ -42,11 +41,11 @@ Comparison compare_methods(mesh_tools::MeshFile noisy, std::optional<mesh_tools:
     const auto part = [&](double fraction, const char*) {
       return !progress || progress((done + fraction) / std::size(table_1), run.method.title.c_str());
     };
-    const SmoothedFile smoothed = smooth_file(file, method, run.parameters, part);
+    mesh_tools::FlatFile flat = mesh_tools::to_flat(file);
+    const SmoothedFile smoothed = smooth_file(flat, method, run.parameters, part);
     run.report = smoothed.report;
     run.seconds = smoothed.seconds;
-    run.positions = positions_of(file.mesh);
-    set_positions(file.mesh, before);
+    for (std::size_t v = 0; v < flat.mesh.vertices(); ++v) run.positions.push_back(flat.mesh.position[v]);
     comparison.runs.push_back(std::move(run));
   }
   if (truth) {

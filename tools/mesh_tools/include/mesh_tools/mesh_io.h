@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include <mesh_tools/flat_mesh.h>
 #include <mesh_tools/mesh.h>
 
 namespace mesh_tools {
@@ -28,9 +30,6 @@ class WriteInterrupted : public std::runtime_error {
 /// The extension of a path in small letters, with its dot; empty if there is none.
 std::string extension(const std::filesystem::path& path);
 
-/// How many digits the file holds. Text formats declare none and count as double.
-enum class Precision { single_precision, double_precision };
-
 /// Bits of MeshFile::attributes that programs ask for or set; the values are vcg::tri::io::Mask's.
 constexpr int normal_attributes = 0x10 | 0x400;  // of vertices, of faces
 constexpr int vertex_quality_attribute = 0x8;
@@ -46,23 +45,54 @@ struct Polygons {
   std::vector<std::uint32_t> corners;  ///< around each polygon, as corners of its triangles: 3 * face + k
 };
 
-/// What belongs to a file besides the positions and the faces.
-struct MeshFile {
-  Mesh mesh;
+/// What belongs to a file besides its mesh.
+struct FileFacts {
   Polygons polygons;
   std::optional<std::filesystem::path> folder;  ///< where the names of mesh.textures begin; none: where it is written
-  Precision precision = Precision::double_precision;
-  bool free_layout = false;           ///< of an OFF file whose vertices and faces are not one a line
-  double color_scale = 1;             ///< what makes the file's colour components of vertices 0 to 255
+  Precision precision = Precision::double_precision;  ///< of the file; text formats declare none and count as double
+  bool free_layout = false;                           ///< of an OFF file whose vertices and faces are not one a line
+  double color_scale = 1;                             ///< what makes the file's colour components of vertices 0 to 255
   int attributes = 0;                 ///< bits of vcg::tri::io::Mask: what the file holds, and what is to be written
   std::vector<std::string> warnings;  ///< what is odd about the file, in sentences
   std::vector<std::string> not_kept;  ///< what of the file is not in here, so that write_mesh() loses it, in sentences
 };
 
+/// A file as flat arrays: what readers fill and writers take. Positions are in the precision of the file.
+struct FlatFile : FileFacts {
+  FlatMesh mesh;
+};
+
+/// A file as a mesh of vcglib's, for what works on such a mesh.
+struct MeshFile : FileFacts {
+  Mesh mesh;
+};
+
+FlatFile to_flat(const MeshFile& file);  ///< deleted elements left out; positions in double precision
+MeshFile to_vcglib(FlatFile file);
+
 /// A file as it was read.
 struct OriginalFile {
   std::filesystem::path path;
   std::string bytes;
+};
+
+/// A file that was read and will be read again, when it is written with other numbers: meanwhile its bytes are not
+/// kept. It stays open, so that it may be replaced or removed in between, by its own result for one.
+class SourceFile {
+ public:
+  SourceFile() = default;
+  /// @throws FileError
+  explicit SourceFile(std::filesystem::path path);
+
+  const std::filesystem::path& path() const { return path_; }
+  std::string read() const;  ///< @throws FileError
+  bool has_changed() const;  ///< whether its size or its time is another one than when it was opened
+
+ private:
+  std::filesystem::path path_;
+  std::shared_ptr<const int> descriptor_;
+  std::uint64_t size_ = 0;
+  std::int64_t seconds_ = 0, nanoseconds_ = 0;
 };
 
 /// A text and where it goes.
@@ -79,6 +109,9 @@ struct TextFile {
 /// @param original  gets the file itself, for write_moved()
 /// @throws FileError
 MeshFile read_mesh(const std::filesystem::path& path, OriginalFile* original = nullptr);
+/// The same as flat arrays.
+/// @param source  gets the file, for write_moved()
+FlatFile read_flat(const std::filesystem::path& path, SourceFile* source = nullptr);
 
 /// Writes PLY (binary), OBJ, OFF or STL (binary), told by the extension, by writers of our own: vcglib's OBJ and OFF
 /// lose digits, its PLY is wrong for some attributes in double precision. The file appears complete or not at all: it
@@ -89,6 +122,8 @@ MeshFile read_mesh(const std::filesystem::path& path, OriginalFile* original = n
 /// @return             sentences about what is lost: MeshFile::not_kept, and attributes that the format cannot hold
 /// @throws FileError, WriteInterrupted
 std::vector<std::string> write_mesh(const MeshFile& file, const std::filesystem::path& path,
+                                    const std::function<bool()>& interrupted = {}, const TextFile* with = nullptr);
+std::vector<std::string> write_mesh(const FlatFile& file, const std::filesystem::path& path,
                                     const std::function<bool()>& interrupted = {}, const TextFile* with = nullptr);
 
 /// Writes a mesh that was read and whose vertices have moved since. In the format that was read this is a copy of the
@@ -101,6 +136,11 @@ std::vector<std::string> write_mesh(const MeshFile& file, const std::filesystem:
 /// @param recolored  colours and qualities of vertices may have changed too
 /// @throws FileError, WriteInterrupted
 std::vector<std::string> write_moved(MeshFile& file, OriginalFile original, const std::filesystem::path& path,
+                                     bool recolored, const std::function<bool()>& interrupted = {},
+                                     const TextFile* with = nullptr);
+/// The same, and where the source has changed meanwhile: as in another format, with a sentence that says so; of glTF an
+/// error.
+std::vector<std::string> write_moved(FlatFile& file, const SourceFile& source, const std::filesystem::path& path,
                                      bool recolored, const std::function<bool()>& interrupted = {},
                                      const TextFile* with = nullptr);
 
@@ -126,5 +166,6 @@ void write_text(const TextFile& file, const std::function<bool()>& interrupted =
 
 /// Recomputes vertex and face normals from positions.
 void update_normals(Mesh& mesh);
+void update_normals(FlatMesh& mesh);
 
 }  // namespace mesh_tools

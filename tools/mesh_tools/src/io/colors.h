@@ -8,6 +8,8 @@
 #include <limits>
 #include <vector>
 
+#include <vcg/space/color4.h>
+
 namespace mesh_tools::io {
 
 /// Files do not say whether their colours are fractions or whole numbers up to 255. All components of a file are of one
@@ -35,13 +37,16 @@ class RawColors {
   bool empty() const { return colors_.empty(); }
   double largest() const { return largest_; }
 
-  /// Gives vertices or faces their colours; components that they have not stay.
-  template <class Items>
-  void apply(Items& items, double scale) const {
+  /// Gives vertices or faces their colours; components that they have not stay, and are white where there was none.
+  /// With no colours at all, nothing is done.
+  /// @param count  of the vertices or faces
+  void apply(std::size_t count, double scale, std::vector<vcg::Color4b>& to) const {
+    if (colors_.empty()) return;
+    to.resize(count, vcg::Color4b(255, 255, 255, 255));
     for (const Color& color : colors_)
       for (int k = 0; k < 4; ++k)
         if (const double value = color.part[static_cast<std::size_t>(k)]; value != none)
-          items[color.item].C()[k] = color_byte(scale * value);
+          to[color.item][k] = color_byte(scale * value);
   }
 
  private:

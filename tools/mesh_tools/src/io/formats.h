@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,24 +13,24 @@
 namespace mesh_tools::io {
 
 /// Readers take the file's bytes; its path is for messages and for what it refers to.
-MeshFile read_ply(const std::string& bytes, const std::filesystem::path& path);
-MeshFile read_obj(const std::string& bytes, const std::filesystem::path& path);
-MeshFile read_off(const std::string& bytes, const std::filesystem::path& path);
-MeshFile read_stl(const std::string& bytes, const std::filesystem::path& path);
-MeshFile read_gltf(const std::string& bytes, const std::filesystem::path& path);
+FlatFile read_ply(const std::string& bytes, const std::filesystem::path& path);
+FlatFile read_obj(const std::string& bytes, const std::filesystem::path& path);
+FlatFile read_off(const std::string& bytes, const std::filesystem::path& path);
+FlatFile read_stl(const std::string& bytes, const std::filesystem::path& path);
+FlatFile read_gltf(const std::string& bytes, const std::filesystem::path& path);
 
 /// Writers give the file's bytes.
 /// @param textures  in the place of the mesh's own: relative to the file
-std::string ply_bytes(const MeshFile& file, const std::vector<std::string>& textures);
-std::string off_bytes(const MeshFile& file);
-std::string stl_bytes(const MeshFile& file);
+std::string ply_bytes(const FlatFile& file, const std::vector<std::string>& textures);
+std::string off_bytes(const FlatFile& file);
+std::string stl_bytes(const FlatFile& file);
 
 /// An OBJ file and its material file; the latter is empty if there are no materials.
 struct ObjBytes {
   std::string mesh, materials;
 };
 /// @param material_name  of the material file, as the mesh names it
-ObjBytes obj_bytes(const MeshFile& file, const std::vector<std::string>& textures, const std::string& material_name);
+ObjBytes obj_bytes(const FlatFile& file, const std::vector<std::string>& textures, const std::string& material_name);
 
 /// Binary STL: 80 bytes of header and a count, then facets of 50 bytes.
 constexpr std::size_t stl_header_size = 84, stl_facet_size = 50;
@@ -62,13 +61,10 @@ constexpr int off_attributes = vertex_normal | vertex_color | face_color;
 constexpr int stl_attributes = face_color;
 
 /// Warns of faces with fewer than three corners, if there are any: they are passed over.
-void note_small_faces(std::size_t count, const std::filesystem::path& path, MeshFile& file);
+void note_small_faces(std::size_t count, const std::filesystem::path& path, FlatFile& file);
 
-/// Some faces of a mesh may have texture coordinates and others not: these have a number that is none in their place.
-inline bool is_textured(const detail::FaceD& face) { return !std::isnan(face.cWT(0).u()); }
-inline void set_untextured(detail::FaceD& face) {
-  for (int k = 0; k < 3; ++k) face.WT(k).u() = std::numeric_limits<float>::quiet_NaN();
-}
+/// Whether a face has texture coordinates, of a mesh that has some.
+inline bool is_textured(const FlatMesh& mesh, std::size_t face) { return !std::isnan(mesh.wedge_texture[face][0].u); }
 
 /// "FILE: what" as a FileError.
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& what);

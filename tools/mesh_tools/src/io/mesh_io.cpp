@@ -29,7 +29,7 @@ void fail_at_line(const fs::path& path, std::size_t line, const std::string& wha
   throw FileError(path.string() + ", line " + std::to_string(line) + ": " + what);
 }
 
-void note_small_faces(std::size_t count, const fs::path& path, MeshFile& file) {
+void note_small_faces(std::size_t count, const fs::path& path, FlatFile& file) {
   if (count > 0)
     file.warnings.push_back(path.string() + ": " + std::to_string(count) +
                             (count == 1 ? " face has fewer than 3 corners; it is passed over"
@@ -133,14 +133,10 @@ void write_together(const std::vector<TextFile>& files, const std::function<bool
   });
 }
 
-void check_complete(const Mesh& mesh, const fs::path& path) {
-  const auto* first = mesh.vert.data();
-  for (std::size_t i = 0; i < mesh.face.size(); ++i)
-    for (int k = 0; k < 3; ++k) {
-      const auto* vertex = mesh.face[i].cV(k);
-      if (std::less<>()(vertex, first) || !std::less<>()(vertex, first + mesh.vert.size()))
-        io::fail(path, "face " + std::to_string(i) + " refers to no vertex of the file");
-    }
+void check_complete(const FlatMesh& mesh, const fs::path& path) {
+  for (std::size_t f = 0; f < mesh.face.size(); ++f)
+    for (const std::uint32_t v : mesh.face[f])
+      if (v >= mesh.vertices()) io::fail(path, "face " + std::to_string(f) + " refers to no vertex of the file");
 }
 
 struct AttributeName {
@@ -194,7 +190,9 @@ std::vector<fs::path> files_of(const fs::path& path) {
   return {path, path.string() + (kind == ".obj" ? ".mtl" : ".bin")};
 }
 
-MeshFile read_mesh(const fs::path& path, OriginalFile* original) {
+namespace {
+
+void check_readable(const fs::path& path) {
   check_extension(path);
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -204,22 +202,49 @@ MeshFile read_mesh(const fs::path& path, OriginalFile* original) {
   if (const std::error_code denied = durable_files::check_readable(path))
     io::fail(path, "cannot be read: " + denied.message());
   if (fs::file_size(path, error) == 0) io::fail(path, "is empty");
+}
+
+FlatFile read_from(const std::string& bytes, const fs::path& path) {
   const std::string kind = extension(path);
-  std::string bytes = io::read_bytes(path);
-  MeshFile file = kind == ".ply"   ? io::read_ply(bytes, path)
+  FlatFile file = kind == ".ply"   ? io::read_ply(bytes, path)
                   : kind == ".obj" ? io::read_obj(bytes, path)
                   : kind == ".off" ? io::read_off(bytes, path)
                   : kind == ".stl" ? io::read_stl(bytes, path)
                                    : io::read_gltf(bytes, path);
   check_complete(file.mesh, path);
   io::cut_polygons(file);
-  if (file.mesh.vn == 0) io::fail(path, "holds no vertices");
+  if (file.mesh.vertices() == 0) io::fail(path, "holds no vertices");
   file.folder = path.parent_path();
-  if (original) *original = {path, std::move(bytes)};
+  return file;
+}
+
+}  // namespace
+
+MeshFile read_mesh(const fs::path& path, OriginalFile* original) {
+  check_readable(path);
+  std::string bytes = io::read_bytes(path);
+  FlatFile file = read_from(bytes, path);
+  if (original)
+    *original = {path, std::move(bytes)};
+  else
+    std::string().swap(bytes);
+  return to_vcglib(std::move(file));
+}
+
+FlatFile read_flat(const fs::path& path, SourceFile* source) {
+  check_readable(path);
+  SourceFile opened(path);
+  FlatFile file = read_from(opened.read(), path);
+  if (source) *source = std::move(opened);
   return file;
 }
 
 std::vector<std::string> write_mesh(const MeshFile& file, const fs::path& path,
+                                    const std::function<bool()>& interrupted, const TextFile* with) {
+  return write_mesh(to_flat(file), path, interrupted, with);
+}
+
+std::vector<std::string> write_mesh(const FlatFile& file, const fs::path& path,
                                     const std::function<bool()>& interrupted, const TextFile* with) {
   check_writable(path);
   const std::string kind = extension(path);
@@ -260,24 +285,17 @@ std::vector<std::string> write_mesh(const MeshFile& file, const fs::path& path,
 namespace {
 
 /// With normals that follow from the positions.
-std::vector<std::string> write_anew(MeshFile& file, const fs::path& path, const std::function<bool()>& interrupted,
+std::vector<std::string> write_anew(FlatFile& file, const fs::path& path, const std::function<bool()>& interrupted,
                                     const TextFile* with) {
   if (file.attributes & normal_attributes) update_normals(file.mesh);
   return write_mesh(file, path, interrupted, with);
 }
 
-}  // namespace
-
-std::vector<std::string> write_moved(MeshFile& file, OriginalFile original, const fs::path& path, bool recolored,
-                                     const std::function<bool()>& interrupted, const TextFile* with) {
+/// With the original's bytes and other numbers.
+std::vector<std::string> write_spliced(FlatFile& file, std::string bytes, const fs::path& from, const fs::path& path,
+                                       bool recolored, const std::function<bool()>& interrupted, const TextFile* with) {
   const std::string kind = extension(path);
-  if (kind != extension(original.path)) {
-    original.bytes = {};
-    return write_anew(file, path, interrupted, with);
-  }
-  check_writable(path, original.path);
-  const io::SpliceInput input{file, original.path, recolored};
-  std::string bytes = std::move(original.bytes);
+  const io::SpliceInput input{file, from, recolored};
   std::vector<TextFile> together;
   if (with) together.push_back(*with);
   try {
@@ -293,12 +311,35 @@ std::vector<std::string> write_moved(MeshFile& file, OriginalFile original, cons
     }
   } catch (const io::NoRoom& reason) {
     std::vector<std::string> lost = write_anew(file, path, interrupted, with);
-    lost.insert(lost.begin(), original.path.string() + ": " + reason.what());
+    lost.insert(lost.begin(), from.string() + ": " + reason.what());
     return lost;
   }
   together.push_back({path, std::move(bytes)});
   write_together(together, interrupted);
   return {};
+}
+
+}  // namespace
+
+std::vector<std::string> write_moved(MeshFile& file, OriginalFile original, const fs::path& path, bool recolored,
+                                     const std::function<bool()>& interrupted, const TextFile* with) {
+  FlatFile flat = to_flat(file);
+  if (extension(path) != extension(original.path)) return write_anew(flat, path, interrupted, with);
+  check_writable(path, original.path);
+  return write_spliced(flat, std::move(original.bytes), original.path, path, recolored, interrupted, with);
+}
+
+std::vector<std::string> write_moved(FlatFile& file, const SourceFile& source, const fs::path& path, bool recolored,
+                                     const std::function<bool()>& interrupted, const TextFile* with) {
+  if (extension(path) != extension(source.path())) return write_anew(file, path, interrupted, with);
+  check_writable(path, source.path());
+  if (!source.has_changed())
+    return write_spliced(file, source.read(), source.path(), path, recolored, interrupted, with);
+  const std::string what = "has changed since it was read";
+  if (is_gltf(extension(path))) io::fail(source.path(), what);
+  std::vector<std::string> lost = write_anew(file, path, interrupted, with);
+  lost.insert(lost.begin(), source.path().string() + ": " + what + ", so the result is written anew");
+  return lost;
 }
 
 void write_text(const TextFile& file, const std::function<bool()>& interrupted) { write_together({file}, interrupted); }

@@ -2,11 +2,8 @@
 // Reads Wavefront OBJ: v (with colour), vt, vn, f, l, and materials for face colour and texture.
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <utility>
-
-#include <vcg/complex/algorithms/update/bounding.h>
 
 #include "colors.h"
 #include "formats.h"
@@ -18,14 +15,13 @@ namespace mesh_tools::io {
 namespace {
 
 using Words = std::vector<std::string_view>;
-using Allocator = vcg::tri::Allocator<Mesh>;
 
 class ObjReader {
  public:
   ObjReader(const std::string& text, const std::filesystem::path& path)
       : path_(path), reader_(text, path, Comments::outside_names), materials_(path.parent_path()) {}
 
-  MeshFile read() {
+  FlatFile read() {
     Words words;
     while (reader_.next(words)) {
       const std::string_view what = words[0];
@@ -55,9 +51,7 @@ class ObjReader {
     std::int64_t vertex, texture, normal;  // -1: none; a normal may be any number
   };
   static constexpr std::int64_t no_normal = -1, bad_normal = -2;
-  struct Texture {
-    float u, v;
-  };
+  using Texture = FlatMesh::TextureCoordinate;
   struct Face {
     std::size_t first_corner;  // in corners_; they end where those of the next face begin
     int material;
@@ -126,8 +120,10 @@ class ObjReader {
   }
 
   void read_line(const Words& words) {
-    for (std::size_t i = 2; i < words.size(); ++i)
-      edges_.emplace_back(read_corner(words[i - 1]).vertex, read_corner(words[i]).vertex);
+    for (std::size_t i = 2; i < words.size(); ++i) {
+      const std::uint32_t first = vertex_of(read_corner(words[i - 1]));
+      file_.mesh.edge.push_back({first, vertex_of(read_corner(words[i]))});
+    }
   }
 
   void read_materials(const Words& words) {
@@ -148,48 +144,57 @@ class ObjReader {
 
   void build() {
     check_forward();
-    Mesh& mesh = file_.mesh;
+    FlatMesh& mesh = file_.mesh;
     mesh.textures = std::move(materials_.textures());
-    if (!positions_.empty()) Allocator::AddVertices(mesh, positions_.size());
-    for (std::size_t i = 0; i < positions_.size(); ++i) {
-      mesh.vert[i].P() = positions_[i];
-      if (!colors_.empty()) mesh.vert[i].C() = vcg::Color4b(255, 255, 255, 255);
-    }
     file_.color_scale = color_scale(colors_.largest());
-    colors_.apply(mesh.vert, file_.color_scale);
+    colors_.apply(positions_.size(), file_.color_scale, mesh.vertex_color);
+    mesh.position = std::move(positions_);
     build_faces();
-    for (const auto& [a, b] : edges_) {
-      auto edge = Allocator::AddEdges(mesh, 1);
-      edge->V(0) = &mesh.vert[static_cast<std::size_t>(a)];
-      edge->V(1) = &mesh.vert[static_cast<std::size_t>(b)];
-    }
     if (!colors_.empty()) file_.attributes |= vertex_color;
-    if (!edges_.empty()) file_.attributes |= edges;
+    if (!mesh.edge.empty()) file_.attributes |= edges;
     add_sentences();
-    vcg::tri::UpdateBounding<Mesh>::Box(mesh);
   }
 
   void build_faces() {
-    Mesh& mesh = file_.mesh;
+    FlatMesh& mesh = file_.mesh;
     mesh.face.reserve(triangles_);
+    const bool any_material = std::any_of(faces_.begin(), faces_.end(), [](const Face& f) { return f.material >= 0; });
+    const bool any_texture = !textures_.empty() && std::any_of(corners_.begin(), corners_.end(),
+                                                               [](const Corner& c) { return c.texture >= 0; });
     bool all_normal = !faces_.empty();
     for (std::size_t f = 0; f < faces_.size(); ++f) {
       const Corner* const corner = corners_.data() + faces_[f].first_corner;
       const std::size_t count =
           (f + 1 < faces_.size() ? faces_[f + 1].first_corner : corners_.size()) - faces_[f].first_corner;
       const bool textured =
-          std::all_of(corner, corner + count, [&](const Corner& c) { return c.texture >= 0 && !textures_.empty(); });
+          any_texture && std::all_of(corner, corner + count, [](const Corner& c) { return c.texture >= 0; });
+      const int material = faces_[f].material;
       if (textured) file_.attributes |= wedge_texture;
-      for (std::size_t k = 0; k < count; ++k)
-        if (corner[k].normal != no_normal && !has_normal(corner[k]) && !normals_.empty()) ++bad_normals_;
+      if (material >= 0) file_.attributes |= face_color;
+      for (std::size_t k = 0; k < count; ++k) {
+        const bool has_one = has_normal(corner[k]);
+        if (corner[k].normal != no_normal && !has_one && !normals_.empty()) ++bad_normals_;
+        all_normal &= has_one;
+      }
       for (std::size_t k = 2; k < count; ++k) {
-        mesh.face.emplace_back();
-        ++mesh.fn;
-        fill_face({&corner[0], &corner[k - 1], &corner[k]}, faces_[f].material, textured, all_normal);
+        const Corner* const own[3] = {&corner[0], &corner[k - 1], &corner[k]};
+        mesh.face.push_back({vertex_of(*own[0]), vertex_of(*own[1]), vertex_of(*own[2])});
+        for (const Corner* const c : own) set_normal(*c);
+        if (any_texture) {
+          auto& wedge = mesh.wedge_texture.emplace_back();
+          for (std::size_t c = 0; c < 3 && textured; ++c)
+            wedge[c] = textures_[static_cast<std::size_t>(own[c]->texture)];
+          mesh.face_page.push_back(
+              static_cast<std::int16_t>(textured && material >= 0 ? materials_.material(material).page : 0));
+        }
+        if (any_material)
+          mesh.face_color.push_back(material >= 0 ? materials_.material(material).color
+                                                  : vcg::Color4b(255, 255, 255, 255));
       }
       note_fan(count, file_);
     }
     if (all_normal) file_.attributes |= vertex_normal;
+    if (all_normal) mesh.vertex_normal.resize(mesh.vertices());
   }
 
   void add_sentences() {
@@ -205,45 +210,33 @@ class ObjReader {
                                " corners of faces name a normal that is not there; it is passed over");
   }
 
+  static std::uint32_t vertex_of(const Corner& corner) { return static_cast<std::uint32_t>(corner.vertex); }
+
   /// The last of several normals counts.
-  void set_normal(detail::VertexD& vertex, const vcg::Point3d& normal) {
-    const vcg::Point3d none(0, 0, 0);
-    has_split_normals_ |= vertex.cN() != none && vertex.cN() != normal;
-    vertex.N() = normal;
+  void set_normal(const Corner& corner) {
+    if (!has_normal(corner)) return;
+    Points& list = file_.mesh.vertex_normal;
+    if (list.empty()) list.resize(file_.mesh.vertices());
+    const vcg::Point3d none(0, 0, 0), before = list[vertex_of(corner)],
+                                      normal = normals_[static_cast<std::size_t>(corner.normal)];
+    has_split_normals_ |= before != none && before != normal;
+    list.set(vertex_of(corner), normal);
   }
 
   bool has_normal(const Corner& corner) const {
     return corner.normal >= 0 && corner.normal < static_cast<std::int64_t>(normals_.size());
   }
 
-  void fill_face(const std::array<const Corner*, 3>& corners, int material, bool textured, bool& all_normal) {
-    detail::FaceD& face = file_.mesh.face.back();
-    for (int k = 0; k < 3; ++k) {
-      const Corner& corner = *corners[static_cast<std::size_t>(k)];
-      face.V(k) = &file_.mesh.vert[static_cast<std::size_t>(corner.vertex)];
-      all_normal &= has_normal(corner);
-      if (has_normal(corner)) set_normal(*face.V(k), normals_[static_cast<std::size_t>(corner.normal)]);
-      if (!textured) continue;
-      const Texture& place = textures_[static_cast<std::size_t>(corner.texture)];
-      face.WT(k).u() = place.u;
-      face.WT(k).v() = place.v;
-      face.WT(k).n() = static_cast<short>(material >= 0 ? materials_.material(material).page : 0);
-    }
-    if (!textured) set_untextured(face);
-    face.C() = material >= 0 ? materials_.material(material).color : vcg::Color4b(255, 255, 255, 255);
-    if (material >= 0) file_.attributes |= face_color;
-  }
-
   std::filesystem::path path_;
   LineReader reader_;
-  MeshFile file_;
-  std::vector<vcg::Point3d> positions_, normals_;
+  FlatFile file_;
+  Points positions_;
+  std::vector<vcg::Point3d> normals_;
   RawColors colors_;
   std::vector<Texture> textures_;
   std::vector<Face> faces_;
   std::vector<Corner> corners_;  // of all faces
   std::size_t triangles_ = 0;
-  std::vector<std::pair<std::int64_t, std::int64_t>> edges_;
   std::vector<Forward> forward_;
   ObjMaterials materials_;
   static constexpr std::size_t most_unknown = 20;  // of any bytes there may be many
@@ -255,6 +248,6 @@ class ObjReader {
 
 }  // namespace
 
-MeshFile read_obj(const std::string& bytes, const std::filesystem::path& path) { return ObjReader(bytes, path).read(); }
+FlatFile read_obj(const std::string& bytes, const std::filesystem::path& path) { return ObjReader(bytes, path).read(); }
 
 }  // namespace mesh_tools::io

@@ -29,7 +29,7 @@ struct FaceMaterial {
 template <class Scalar>
 class ObjText {
  public:
-  ObjText(const MeshFile& file, const std::vector<std::string>& textures)
+  ObjText(const FlatFile& file, const std::vector<std::string>& textures)
       : file_(file), texture_names_(textures), mesh_(file.mesh), attributes_(file.attributes) {}
 
   std::map<FaceMaterial, std::size_t> materials;
@@ -41,26 +41,25 @@ class ObjText {
     std::size_t current = mesh_.face.size();  // none: there are never more materials than faces
     visit_polygons(file_, [&](std::size_t face, const std::uint32_t* first, const std::uint32_t* last) {
       if (has_materials) {
-        const FaceMaterial look = material_of(mesh_.face[face]);
+        const FaceMaterial look = material_of(face);
         const std::size_t material = materials.try_emplace(look, materials.size()).first->second;
         if (material != current) text_ += "usemtl material_" + std::to_string(material) + "\n";
         current = material;
       }
-      append_polygon(mesh_.face[face], first, last);
+      append_polygon(face, first, last);
     });
-    for (const auto& edge : mesh_.edge)
-      if (!edge.IsD() && (attributes_ & edges))
-        text_ += "l " + std::to_string(number_[vcg::tri::Index(mesh_, edge.cV(0))]) + " " +
-                 std::to_string(number_[vcg::tri::Index(mesh_, edge.cV(1))]) + "\n";
+    if (attributes_ & edges)
+      for (const auto& [a, b] : mesh_.edge)
+        text_ += "l " + std::to_string(a + std::uint64_t(1)) + " " + std::to_string(b + std::uint64_t(1)) + "\n";
     return std::move(text_);
   }
 
  private:
-  FaceMaterial material_of(const detail::FaceD& face) const {
+  FaceMaterial material_of(std::size_t face) const {
     FaceMaterial material{{255, 255, 255, 255}, {}};
     if (attributes_ & face_color)
-      for (int k = 0; k < 4; ++k) material.color[k] = face.cC()[k];
-    const int page = has_vertex_texture() ? 0 : face.cWT(0).n();
+      for (int k = 0; k < 4; ++k) material.color[k] = mesh_.face_color[face][k];
+    const int page = has_vertex_texture() || mesh_.face_page.empty() ? 0 : mesh_.face_page[face];
     if (has_texture(face) && page >= 0 && static_cast<std::size_t>(page) < texture_names_.size())
       material.texture = texture_names_[page];
     return material;
@@ -69,34 +68,30 @@ class ObjText {
   /// The format knows those of corners only.
   bool has_vertex_texture() const { return (attributes_ & vertex_texture) && !(attributes_ & wedge_texture); }
 
-  bool has_texture(const detail::FaceD& face) const {
-    return has_vertex_texture() || ((attributes_ & wedge_texture) && is_textured(face));
+  bool has_texture(std::size_t face) const {
+    return has_vertex_texture() || ((attributes_ & wedge_texture) && is_textured(mesh_, face));
   }
 
   void append(double value) { append_number(text_ += ' ', value); }
 
   void append_vertices() {
-    number_.resize(mesh_.vert.size());
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < mesh_.vert.size(); ++i) {
-      const auto& vertex = mesh_.vert[i];
-      if (vertex.IsD()) continue;
-      number_[i] = ++count;
+    for (std::size_t v = 0; v < mesh_.vertices(); ++v) {
       text_ += 'v';
-      for (int k = 0; k < 3; ++k) append(static_cast<Scalar>(vertex.cP()[k]));
+      for (int k = 0; k < 3; ++k) append(static_cast<Scalar>(mesh_.position.number(v, k)));
       if (attributes_ & vertex_color)
-        for (int k = 0; k < 3; ++k) append(vertex.cC()[k] / 255.0);
+        for (int k = 0; k < 3; ++k) append(mesh_.vertex_color[v][k] / 255.0);
       text_ += '\n';
       if (!(attributes_ & vertex_normal)) continue;
       text_ += "vn";
-      for (int k = 0; k < 3; ++k) append(static_cast<Scalar>(vertex.cN()[k]));
+      for (int k = 0; k < 3; ++k) append(static_cast<Scalar>(mesh_.vertex_normal.number(v, k)));
       text_ += '\n';
     }
   }
 
-  std::size_t texture_number(const detail::FaceD& face, int k) {
-    const std::pair<float, float> place = has_vertex_texture() ? std::pair(face.cV(k)->cT().u(), face.cV(k)->cT().v())
-                                                               : std::pair(face.cWT(k).u(), face.cWT(k).v());
+  std::size_t texture_number(std::size_t face, std::size_t k) {
+    const FlatMesh::TextureCoordinate& own =
+        has_vertex_texture() ? mesh_.vertex_texture[mesh_.face[face][k]] : mesh_.wedge_texture[face][k];
+    const std::pair<float, float> place(own.u, own.v);
     const auto [entry, is_new] = textures_.try_emplace(place, textures_.size() + 1);
     if (is_new) {
       text_ += "vt";
@@ -107,27 +102,26 @@ class ObjText {
     return entry->second;
   }
 
-  void append_polygon(const detail::FaceD& first_face, const std::uint32_t* first, const std::uint32_t* last) {
+  /// A corner's texture coordinate may have to be written before the face.
+  void append_polygon(std::size_t first_face, const std::uint32_t* first, const std::uint32_t* last) {
     const bool textured = has_texture(first_face), normals = attributes_ & vertex_normal;
-    std::string line = "f";
+    line_ = "f";
     for (; first != last; ++first) {
-      const detail::FaceD& face = mesh_.face[*first / 3];
-      const int k = static_cast<int>(*first % 3);
-      const std::string vertex = std::to_string(number_[vcg::tri::Index(mesh_, face.cV(k))]);
-      line.append(" ").append(vertex);
-      if (textured || normals) line += '/';
-      if (textured) line += std::to_string(texture_number(face, k));
-      if (normals) line.append("/").append(vertex);
+      const std::size_t face = *first / 3, k = *first % 3;
+      const std::uint64_t vertex = mesh_.face[face][k] + std::uint64_t(1);
+      append_whole(line_ += ' ', vertex);
+      if (textured || normals) line_ += '/';
+      if (textured) append_whole(line_, texture_number(face, k));
+      if (normals) append_whole(line_ += '/', vertex);
     }
-    text_.append(line).append("\n");
+    text_.append(line_).append("\n");
   }
 
-  const MeshFile& file_;
+  const FlatFile& file_;
   const std::vector<std::string>& texture_names_;
-  const Mesh& mesh_;
+  const FlatMesh& mesh_;
   int attributes_;
-  std::string text_;
-  std::vector<std::size_t> number_;
+  std::string text_, line_;
   std::map<std::pair<float, float>, std::size_t> textures_;
 };
 
@@ -144,7 +138,7 @@ std::string material_text(const std::map<FaceMaterial, std::size_t>& materials) 
 }
 
 template <class Scalar>
-ObjBytes bytes_of(const MeshFile& file, const std::vector<std::string>& textures, const std::string& material_name) {
+ObjBytes bytes_of(const FlatFile& file, const std::vector<std::string>& textures, const std::string& material_name) {
   ObjText<Scalar> obj(file, textures);
   std::string mesh = obj.text(material_name);
   return {std::move(mesh), material_text(obj.materials)};
@@ -152,7 +146,7 @@ ObjBytes bytes_of(const MeshFile& file, const std::vector<std::string>& textures
 
 }  // namespace
 
-ObjBytes obj_bytes(const MeshFile& file, const std::vector<std::string>& textures, const std::string& material_name) {
+ObjBytes obj_bytes(const FlatFile& file, const std::vector<std::string>& textures, const std::string& material_name) {
   return file.precision == Precision::double_precision ? bytes_of<double>(file, textures, material_name)
                                                        : bytes_of<float>(file, textures, material_name);
 }

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include <vcg/complex/algorithms/update/bounding.h>
-
 #include "colors.h"
 #include "formats.h"
 #include "off_header.h"
@@ -15,7 +13,6 @@ namespace mesh_tools::io {
 namespace {
 
 using Words = std::vector<std::string_view>;
-using Allocator = vcg::tri::Allocator<Mesh>;
 
 bool is_color(std::size_t words) { return words == 3 || words == 4; }
 
@@ -31,32 +28,38 @@ class OffReader {
     file_.free_layout = free;
   }
 
-  MeshFile read() {
+  FlatFile read() {
     read_vertices();
     for (std::int64_t f = 0; f < header_.faces; ++f) read_face();
     file_.color_scale = color_scale(vertex_colors_.largest());
-    vertex_colors_.apply(file_.mesh.vert, file_.color_scale);
-    face_colors_.apply(file_.mesh.face, color_scale(face_colors_.largest()));
+    vertex_colors_.apply(file_.mesh.vertices(), file_.color_scale, file_.mesh.vertex_color);
+    face_colors_.apply(file_.mesh.face.size(), color_scale(face_colors_.largest()), file_.mesh.face_color);
     note_small_faces(too_small_, path_, file_);
-    vcg::tri::UpdateBounding<Mesh>::Box(file_.mesh);
     return std::move(file_);
   }
 
  private:
   void read_vertices() {
-    if (header_.vertices > 0) Allocator::AddVertices(file_.mesh, static_cast<std::size_t>(header_.vertices));
-    if (header_.normals) file_.attributes |= vertex_normal;
-    if (header_.texture) file_.attributes |= vertex_texture;
-    for (std::size_t i = 0; i < file_.mesh.vert.size(); ++i) {
-      auto& vertex = file_.mesh.vert[i];
+    const auto count = static_cast<std::size_t>(header_.vertices);
+    FlatMesh& mesh = file_.mesh;
+    mesh.position.resize(count);
+    if (header_.normals) {
+      file_.attributes |= vertex_normal;
+      mesh.vertex_normal.resize(count);
+    }
+    if (header_.texture) {
+      file_.attributes |= vertex_texture;
+      mesh.vertex_texture.resize(count);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
       rows_.next_vertex(words_);
       for (std::size_t k = 0; k < 3; ++k) {
-        vertex.P()[static_cast<int>(k)] = reader_.number(words_[k]);
-        if (header_.normals) vertex.N()[static_cast<int>(k)] = reader_.number(words_[3 + k]);
+        mesh.position.set(i, static_cast<int>(k), reader_.number(words_[k]));
+        if (header_.normals) mesh.vertex_normal.set(i, static_cast<int>(k), reader_.number(words_[3 + k]));
       }
       if (header_.texture) {
-        vertex.T().u() = static_cast<float>(reader_.number(words_[words_.size() - 2]));
-        vertex.T().v() = static_cast<float>(reader_.number(words_[words_.size() - 1]));
+        mesh.vertex_texture[i] = {static_cast<float>(reader_.number(words_[words_.size() - 2])),
+                                  static_cast<float>(reader_.number(words_[words_.size() - 1]))};
         words_.resize(words_.size() - 2);
       }
       if (!header_.colors || !is_color(words_.size() - rows_.before_color())) continue;
@@ -79,7 +82,7 @@ class OffReader {
       if (index < 0 || index >= header_.vertices)
         reader_.fail("a face refers to vertex " + printable(words_[k]) + "; allowed are 0 to " +
                      std::to_string(header_.vertices - 1));
-      index_.push_back(static_cast<std::size_t>(index));
+      index_.push_back(static_cast<std::uint32_t>(index));
     }
     if (corners < 3) {
       ++too_small_;
@@ -88,12 +91,7 @@ class OffReader {
     const bool colored = is_color(behind);
     if (colored) file_.attributes |= face_color;
     for (std::size_t k = 2; k < index_.size(); ++k) {
-      // Not by Allocator::AddFace, which aborts on a repeated vertex where assertions are on.
-      detail::FaceD& face = file_.mesh.face.emplace_back();
-      ++file_.mesh.fn;
-      const std::size_t corner[3] = {index_[0], index_[k - 1], index_[k]};
-      for (int j = 0; j < 3; ++j) face.V(j) = &file_.mesh.vert[corner[j]];
-      face.C() = vcg::Color4b(255, 255, 255, 255);
+      file_.mesh.face.push_back({index_[0], index_[k - 1], index_[k]});
       if (colored) add_color(face_colors_, file_.mesh.face.size() - 1, end);
     }
     note_fan(index_.size(), file_);
@@ -112,16 +110,16 @@ class OffReader {
   LineReader reader_;
   OffHeader header_;
   OffRows rows_;
-  MeshFile file_;
+  FlatFile file_;
   Words words_;
-  std::vector<std::size_t> index_;
+  std::vector<std::uint32_t> index_;
   RawColors vertex_colors_, face_colors_;
   std::size_t too_small_ = 0;
 };
 
 }  // namespace
 
-MeshFile read_off(const std::string& text, const std::filesystem::path& path) {
+FlatFile read_off(const std::string& text, const std::filesystem::path& path) {
   try {
     return OffReader(text, path, false).read();
   } catch (const FileError& as_lines) {
@@ -139,40 +137,32 @@ namespace {
 
 /// Scalar is what positions and normals are rounded to.
 template <class Scalar>
-std::string off_text(const MeshFile& file) {
-  const Mesh& mesh = file.mesh;
+std::string off_text(const FlatFile& file) {
+  const FlatMesh& mesh = file.mesh;
   const int attributes = file.attributes;
   const bool normals = attributes & vertex_normal, colors = attributes & vertex_color;
   const bool face_colors = attributes & face_color;
-  std::string text = std::string(colors ? "C" : "") + (normals ? "N" : "") + "OFF\n" + std::to_string(mesh.vn) + " " +
-                     std::to_string(count_polygons(file).count) + " 0\n";
-  std::vector<std::size_t> number(mesh.vert.size());
-  std::size_t count = 0;
+  std::string text = std::string(colors ? "C" : "") + (normals ? "N" : "") + "OFF\n" + std::to_string(mesh.vertices()) +
+                     " " + std::to_string(count_polygons(file).count) + " 0\n";
   const auto append_color = [&](const vcg::Color4b& color) {
-    for (int k = 0; k < 4; ++k) text.append(" ").append(std::to_string(color[k]));
+    for (int k = 0; k < 4; ++k) append_whole(text += ' ', color[k]);
   };
-  const auto append_point = [&](const auto& p) {
+  const auto append_point = [&](const vcg::Point3d& p) {
     for (int k = 0; k < 3; ++k) {
       if (k > 0) text += ' ';
-      append_number(text, static_cast<Scalar>(p[k]));
+      append_number(text, static_cast<double>(static_cast<Scalar>(p[k])));
     }
   };
-  for (std::size_t i = 0; i < mesh.vert.size(); ++i) {
-    const auto& vertex = mesh.vert[i];
-    if (vertex.IsD()) continue;
-    number[i] = count++;
-    append_point(vertex.cP());
-    if (normals) append_point((text += ' ', vertex.cN()));
-    if (colors) append_color(vertex.cC());
+  for (std::size_t v = 0; v < mesh.vertices(); ++v) {
+    append_point(mesh.position[v]);
+    if (normals) append_point((text += ' ', mesh.vertex_normal[v]));
+    if (colors) append_color(mesh.vertex_color[v]);
     text += '\n';
   }
   visit_polygons(file, [&](std::size_t face, const std::uint32_t* first, const std::uint32_t* last) {
-    text += std::to_string(last - first);
-    for (; first != last; ++first) {
-      const auto* vertex = mesh.face[*first / 3].cV(static_cast<int>(*first % 3));
-      text.append(" ").append(std::to_string(number[vcg::tri::Index(mesh, vertex)]));
-    }
-    if (face_colors) append_color(mesh.face[face].cC());
+    append_whole(text, static_cast<std::uint64_t>(last - first));
+    for (; first != last; ++first) append_whole(text += ' ', mesh.face[*first / 3][*first % 3]);
+    if (face_colors) append_color(mesh.face_color[face]);
     text += '\n';
   });
   return text;
@@ -180,7 +170,7 @@ std::string off_text(const MeshFile& file) {
 
 }  // namespace
 
-std::string off_bytes(const MeshFile& file) {
+std::string off_bytes(const FlatFile& file) {
   return file.precision == Precision::double_precision ? off_text<double>(file) : off_text<float>(file);
 }
 

@@ -8,16 +8,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <initializer_list>
-#include <iterator>
 #include <limits>
 #include <string_view>
-#include <type_traits>
 #include <utility>
-
-#include <mesh_tools/mesh.h>  // first: the headers of vcglib below need it
-
-#include <vcg/complex/algorithms/create/platonic.h>
-#include <vcg/complex/algorithms/update/bounding.h>
 
 #include "colors.h"
 #include "formats.h"
@@ -58,56 +51,26 @@ short to_page(double number) {
       std::clamp<double>(number, std::numeric_limits<short>::min(), std::numeric_limits<short>::max()));
 }
 
-/// What vertices and faces have in common.
-template <class Element>
-void set(Element& element, Role role, double value) {
-  using Quality = std::decay_t<decltype(element.Q())>;
-  switch (role) {
-    case Role::nx:
-    case Role::ny:
-    case Role::nz:
-      element.N()[static_cast<int>(role) - static_cast<int>(Role::nx)] = value;
-      break;
-    case Role::flags:
-      element.Flags() = static_cast<int>(static_cast<std::int64_t>(value));
-      element.ClearD();  // the file holds what there is
-      break;
-    case Role::quality:
-      element.Q() = static_cast<Quality>(value);
-      break;
-    case Role::red:
-    case Role::green:
-    case Role::blue:
-    case Role::alpha:
-      element.C()[static_cast<int>(role) - static_cast<int>(Role::red)] = color_byte(value);
-      break;
-    default:
-      break;
-  }
+const vcg::Color4b white(255, 255, 255, 255);
+
+bool is_normal(Role role) { return role == Role::nx || role == Role::ny || role == Role::nz; }
+bool is_color(Role role) {
+  return role == Role::red || role == Role::green || role == Role::blue || role == Role::alpha;
+}
+/// The number of a role among those that belong together, which begin with `first`.
+int part(Role role, Role first) { return static_cast<int>(role) - static_cast<int>(first); }
+
+/// vcglib's bits; the file holds what there is.
+std::int32_t to_flags(double number) {
+  constexpr std::int32_t deleted = 1;
+  return static_cast<std::int32_t>(static_cast<std::int64_t>(number)) & ~deleted;
 }
 
-void set_vertex(detail::VertexD& vertex, Role role, double value) {
-  switch (role) {
-    case Role::x:
-    case Role::y:
-    case Role::z:
-      vertex.P()[static_cast<int>(role) - static_cast<int>(Role::x)] = value;
-      break;
-    case Role::radius:
-      vertex.R() = static_cast<float>(value);
-      break;
-    case Role::gray:
-      vertex.C() = vcg::Color4b(color_byte(255 * value), color_byte(255 * value), color_byte(255 * value), 255);
-      break;
-    case Role::u:
-      vertex.T().u() = static_cast<float>(value);
-      break;
-    case Role::v:
-      vertex.T().v() = static_cast<float>(value);
-      break;
-    default:
-      set(vertex, role, value);
-  }
+/// The precision that holds all numbers of these properties.
+Precision precision_of(const PlyLayout::Element& element, const Roles& roles, bool (*is_one)(Role)) {
+  for (std::size_t p = 0; p < element.properties.size(); ++p)
+    if (is_one(roles[p]) && element.properties[p].type == Type::float64) return Precision::double_precision;
+  return Precision::single_precision;
 }
 
 class PlyReader {
@@ -119,10 +82,12 @@ class PlyReader {
     if (vertex->count == 0) fail(path, "holds no vertices");
     file_.precision = precision_of(*vertex, path);
     // Where the file is cut off, reading comes to its end before these are used up, and says where.
-    vcg::tri::Allocator<Mesh>::AddVertices(file_.mesh, std::min(vertex->count, data_.most_rows(*vertex)));
+    vertices_ = std::min(vertex->count, data_.most_rows(*vertex));
+    file_.mesh.position = Points(file_.precision);
+    file_.mesh.position.resize(vertices_);
   }
 
-  MeshFile read() {
+  FlatFile read() {
     for (const auto& element : layout_.elements) {
       if (element.name == "vertex")
         read_vertices(element);
@@ -137,6 +102,7 @@ class PlyReader {
       else
         skip(element);
     }
+    complete_faces();
     // Faces that are none are likely where data are read from the wrong place on.
     if (has_small_faces_ && !is_text() && data_.bytes_left() > 0)
       fail(path_, "has faces of fewer than 3 vertices, and " + std::to_string(data_.bytes_left()) +
@@ -144,7 +110,6 @@ class PlyReader {
     for (const std::string_view name : texture_names(layout_)) file_.mesh.textures.emplace_back(name);
     for (const std::string& warning : layout_.warnings) file_.warnings.push_back(path_.string() + ": " + warning);
     if (!unknown_.empty()) file_.not_kept.push_back(path_.string() + ": these properties are not kept: " + unknown_);
-    vcg::tri::UpdateBounding<Mesh>::Box(file_.mesh);
     return std::move(file_);
   }
 
@@ -166,33 +131,50 @@ class PlyReader {
   }
 
   void skip(const Element& element) {
-    for (std::size_t i = 0; i < element.count; ++i) data_.read(element, i, row_);
-    if (element.count > 0) add_unknown(element.name);
+    if (element.count == 0) return;
+    if (data_.has_fixed_rows(element))
+      data_.take_fixed_rows(element);
+    else
+      for (std::size_t i = 0; i < element.count; ++i) data_.read(element, i, row_);
+    add_unknown(element.name);
   }
 
-  detail::VertexD* vertex_at(const Element& element, std::size_t row, double index) {
-    if (!(index >= 0 && index < file_.mesh.vn))
+  std::uint32_t vertex_at(const Element& element, std::size_t row, double index) {
+    if (!(index >= 0 && index < static_cast<double>(vertices_)))
       data_.fail_at_row(element, row,
                         "has vertex index " + std::to_string(static_cast<std::int64_t>(index)) + "; allowed are 0 to " +
-                            std::to_string(file_.mesh.vn - 1));
-    return &file_.mesh.vert[static_cast<std::size_t>(index)];
+                            std::to_string(static_cast<std::int64_t>(vertices_) - 1));
+    return static_cast<std::uint32_t>(index);
   }
+
+  void add(bool present, int attribute) { file_.attributes |= present ? attribute : 0; }
 
   void read_vertices(const Element& element) {
     const Roles roles(element, known_of_vertex);
+    make_room(element, roles);
     RawColors wide;
-    for (std::size_t i = 0; i < element.count; ++i) {
-      data_.read(element, i, row_);
+    const auto take = [&](std::size_t p, std::size_t i, double number) {
+      if (is_wide_color(roles[p], element.properties[p]))
+        wide.add(i, part(roles[p], Role::red), number);
+      else
+        set_vertex(i, roles[p], number);
+    };
+    const bool any_wide = has_wide_colors(element, roles);
+    if (data_.has_fixed_rows(element) && !any_wide) {
+      const PlyData::FixedRows rows = data_.take_fixed_rows(element);
       for (std::size_t p = 0; p < element.properties.size(); ++p)
-        if (is_wide_color(roles[p], element.properties[p]))
-          wide.add(i, component(roles[p]), row_.number[p]);
-        else if (roles[p] != Role::none)
-          set_vertex(file_.mesh.vert[i], roles[p], row_.number[p]);
+        if (roles[p] != Role::none)
+          data_.visit_numbers(element, p, rows, [&](std::size_t i, double number) { set_vertex(i, roles[p], number); });
+    } else {
+      for (std::size_t i = 0; i < element.count; ++i) {
+        data_.read(element, i, row_);
+        for (std::size_t p = 0; p < element.properties.size(); ++p)
+          if (roles[p] != Role::none) take(p, i, row_.number[p]);
+      }
     }
     if (!wide.empty()) file_.color_scale = scale_of(wide, has_whole_colors(element, roles));
-    wide.apply(file_.mesh.vert, file_.color_scale);
+    wide.apply(vertices_, file_.color_scale, file_.mesh.vertex_color);
     add_unknown(element, roles, {});
-    const auto add = [&](bool present, int attribute) { file_.attributes |= present ? attribute : 0; };
     add(roles.has_normal(), vertex_normal);
     add(roles.has(Role::flags), vertex_flags);
     add(roles.has(Role::quality), vertex_quality);
@@ -201,23 +183,79 @@ class PlyReader {
     add(roles.has(Role::u) && roles.has(Role::v), vertex_texture);
   }
 
-  detail::FaceD& add_face() {
-    ++file_.mesh.fn;
-    return file_.mesh.face.emplace_back();
+  /// For all that a vertex has besides its place.
+  void make_room(const Element& element, const Roles& roles) {
+    FlatMesh& mesh = file_.mesh;
+    if (roles.has(Role::nx) || roles.has(Role::ny) || roles.has(Role::nz)) {
+      mesh.vertex_normal = Points(precision_of(element, roles, is_normal));
+      mesh.vertex_normal.resize(vertices_);
+    }
+    if (roles.has(Role::flags)) mesh.vertex_flags.resize(vertices_);
+    if (roles.has(Role::quality)) mesh.vertex_quality.resize(vertices_);
+    if (roles.has(Role::radius)) mesh.vertex_radius.resize(vertices_);
+    if (has_colors(roles) || roles.has(Role::gray)) mesh.vertex_color.resize(vertices_, white);
+    if (roles.has(Role::u) || roles.has(Role::v)) mesh.vertex_texture.resize(vertices_, {0, 0});
   }
 
-  static bool is_color(Role role) {
-    return role == Role::red || role == Role::green || role == Role::blue || role == Role::alpha;
+  void set_vertex(std::size_t i, Role role, double value) {
+    FlatMesh& mesh = file_.mesh;
+    switch (role) {
+      case Role::x:
+      case Role::y:
+      case Role::z:
+        mesh.position.set(i, part(role, Role::x), value);
+        break;
+      case Role::nx:
+      case Role::ny:
+      case Role::nz:
+        mesh.vertex_normal.set(i, part(role, Role::nx), value);
+        break;
+      case Role::flags:
+        mesh.vertex_flags[i] = to_flags(value);
+        break;
+      case Role::quality:
+        mesh.vertex_quality[i] = value;
+        break;
+      case Role::radius:
+        mesh.vertex_radius[i] = static_cast<float>(value);
+        break;
+      case Role::red:
+      case Role::green:
+      case Role::blue:
+      case Role::alpha:
+        mesh.vertex_color[i][part(role, Role::red)] = color_byte(value);
+        break;
+      case Role::gray: {
+        const unsigned char gray = color_byte(255 * value);
+        mesh.vertex_color[i] = vcg::Color4b(gray, gray, gray, 255);
+        break;
+      }
+      case Role::u:
+        mesh.vertex_texture[i].u = static_cast<float>(value);
+        break;
+      case Role::v:
+        mesh.vertex_texture[i].v = static_cast<float>(value);
+        break;
+      default:
+        break;
+    }
+  }
+
+  static bool has_colors(const Roles& roles) {
+    return roles.has(Role::red) || roles.has(Role::green) || roles.has(Role::blue) || roles.has(Role::alpha);
   }
   static bool is_wide_color(Role role, const PlyLayout::Property& property) {
     return is_color(role) && property.type != Type::uint8;
   }
-  static bool has_whole_colors(const Element& element, const Roles& roles) {
+  static bool has_wide_colors(const Element& element, const Roles& roles, bool whole_ones = false) {
     for (std::size_t p = 0; p < element.properties.size(); ++p)
-      if (is_wide_color(roles[p], element.properties[p]) && is_whole(element.properties[p].type)) return true;
+      if (is_wide_color(roles[p], element.properties[p]) && (!whole_ones || is_whole(element.properties[p].type)))
+        return true;
     return false;
   }
-  static int component(Role role) { return static_cast<int>(role) - static_cast<int>(Role::red); }
+  static bool has_whole_colors(const Element& element, const Roles& roles) {
+    return has_wide_colors(element, roles, true);
+  }
 
   void read_faces(const Element& element) {
     if (element.count == 0) return;
@@ -229,11 +267,20 @@ class PlyReader {
     });
     const Roles roles(element, known_of_face);
     const std::vector<double> none;
+    FlatMesh& mesh = file_.mesh;
     RawColors wide;
     std::size_t too_small = 0;
-    file_.mesh.face.reserve(
-        std::min(element.count, data_.most_rows(element, &*list, 3)));  // the header may say too much
+    mesh.face.reserve(std::min(element.count, data_.most_rows(element, &*list, 3)));  // the header may say too much
+    if (roles.has(Role::nx) || roles.has(Role::ny) || roles.has(Role::nz))
+      mesh.face_normal = Points(precision_of(element, roles, is_normal));
+    data_.expect_triangles(element);
+    const auto limit = static_cast<std::uint32_t>(vertices_);
+    std::array<std::uint32_t, 3> triangle{};
     for (std::size_t i = 0; i < element.count; ++i) {
+      if (data_.take_triangle(element, limit, triangle)) {
+        mesh.face.push_back(triangle);
+        continue;
+      }
       data_.read(element, i, row_);
       const std::vector<double>& corners = row_.list[static_cast<std::size_t>(list - properties.begin())];
       const std::vector<double>& wedges =
@@ -251,37 +298,70 @@ class PlyReader {
                           "has " + std::to_string(wedges.size()) + " texture coordinates; allowed are " +
                               std::to_string(2 * corners.size()) + ", two for each corner, and none");
       for (std::size_t c = 2; c < corners.size(); ++c) {
-        detail::FaceD& face = add_face();
         const std::size_t corner[3] = {0, c - 1, c};
-        for (int k = 0; k < 3; ++k) {
-          face.V(k) = vertex_at(element, i, corners[corner[k]]);
-          if (wedges.empty()) continue;
-          face.WT(k).u() = static_cast<float>(wedges[2 * corner[k]]);
-          face.WT(k).v() = static_cast<float>(wedges[2 * corner[k] + 1]);
+        for (std::size_t k = 0; k < 3; ++k) triangle[k] = vertex_at(element, i, corners[corner[k]]);
+        mesh.face.push_back(triangle);
+        if (texture != properties.end()) {
+          mesh.wedge_texture.resize(mesh.face.size());
+          auto& wedge = mesh.wedge_texture.back();
+          for (std::size_t k = 0; k < 3 && !wedges.empty(); ++k)
+            wedge[k] = {static_cast<float>(wedges[2 * corner[k]]), static_cast<float>(wedges[2 * corner[k] + 1])};
         }
-        if (wedges.empty()) set_untextured(face);
-        for (std::size_t p = 0; p < properties.size(); ++p) {
-          if (is_wide_color(roles[p], properties[p]))
-            wide.add(file_.mesh.face.size() - 1, component(roles[p]), row_.number[p]);
-          else
-            set(face, roles[p], row_.number[p]);
-          if (roles[p] != Role::page) continue;
-          for (int k = 0; k < 3; ++k) face.WT(k).n() = to_page(row_.number[p]);
-        }
+        add_face_numbers(element, roles, wide);
       }
       note_fan(corners.size(), file_);
     }
-    wide.apply(file_.mesh.face, scale_of(wide, has_whole_colors(element, roles)));
+    wide.apply(mesh.face.size(), scale_of(wide, has_whole_colors(element, roles)), mesh.face_color);
     note_small_faces(too_small, path_, file_);
     has_small_faces_ = too_small > 0;
     add_unknown(element, roles, {list->name, "texcoord"});
-    const auto add = [&](bool present, int attribute) { file_.attributes |= present ? attribute : 0; };
     add(roles.has_normal(), face_normal);
     add(roles.has(Role::flags), face_flags);
     add(roles.has(Role::quality), face_quality);
     add(roles.has(Role::red), face_color);
     add(texture != properties.end(), wedge_texture);
     add(texture != properties.end() && roles.has(Role::page), wedge_texture_index);
+  }
+
+  /// All that a face has besides its corners, from its row; of a polygon each triangle.
+  void add_face_numbers(const Element& element, const Roles& roles, RawColors& wide) {
+    FlatMesh& mesh = file_.mesh;
+    const std::size_t f = mesh.face.size() - 1;
+    const auto put = [f](auto& list, auto number) {
+      list.resize(std::max(list.size(), f + 1));  // faces of strips have nothing of this
+      list[f] = number;
+    };
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      const double value = row_.number[p];
+      if (is_wide_color(roles[p], element.properties[p])) {
+        wide.add(f, part(roles[p], Role::red), value);
+      } else if (is_color(roles[p])) {
+        mesh.face_color.resize(f + 1, white);
+        mesh.face_color[f][part(roles[p], Role::red)] = color_byte(value);
+      } else if (is_normal(roles[p])) {
+        mesh.face_normal.resize(f + 1);
+        mesh.face_normal.set(f, part(roles[p], Role::nx), value);
+      } else if (roles[p] == Role::flags) {
+        put(mesh.face_flags, to_flags(value));
+      } else if (roles[p] == Role::quality) {
+        put(mesh.face_quality, value);
+      } else if (roles[p] == Role::page) {
+        put(mesh.face_page, to_page(value));
+      }
+    }
+  }
+
+  /// Gives the faces of strips and grids what other faces have.
+  void complete_faces() {
+    FlatMesh& mesh = file_.mesh;
+    const std::size_t faces = mesh.face.size();
+    const auto has = [this](int attribute) { return (file_.attributes & attribute) != 0; };
+    if (has(face_color)) mesh.face_color.resize(faces, white);
+    if (has(face_normal)) mesh.face_normal.resize(faces);
+    if (has(face_flags)) mesh.face_flags.resize(faces);
+    if (has(face_quality)) mesh.face_quality.resize(faces);
+    if (has(wedge_texture)) mesh.wedge_texture.resize(faces);
+    if (!mesh.face_page.empty()) mesh.face_page.resize(faces);
   }
 
   void read_edges(const Element& element) {
@@ -293,10 +373,11 @@ class PlyReader {
     if (!is_index(first) || !is_index(second)) return skip(element);
     for (std::size_t i = 0; i < element.count; ++i) {
       data_.read(element, i, row_);
-      detail::EdgeD& edge = file_.mesh.edge.emplace_back();
-      ++file_.mesh.en;
-      edge.V(0) = vertex_at(element, i, row_.number[static_cast<std::size_t>(first - element.properties.data())]);
-      edge.V(1) = vertex_at(element, i, row_.number[static_cast<std::size_t>(second - element.properties.data())]);
+      const auto end = [&](const PlyLayout::Property* property) {
+        return vertex_at(element, i, row_.number[static_cast<std::size_t>(property - element.properties.data())]);
+      };
+      const std::uint32_t start = end(first);
+      file_.mesh.edge.push_back({start, end(second)});
     }
     file_.attributes |= edges;
   }
@@ -307,20 +388,19 @@ class PlyReader {
     if (list == element.properties.end()) return skip(element);
     for (std::size_t i = 0; i < element.count; ++i) {
       data_.read(element, i, row_);
-      detail::VertexD *before_last = nullptr, *last = nullptr;
+      constexpr std::int64_t nothing = -1;
+      std::int64_t before_last = nothing, last = nothing;
       bool turned = false;
       for (const double index : row_.list[static_cast<std::size_t>(list - element.properties.begin())]) {
         if (index == -1) {
-          before_last = last = nullptr;
+          before_last = last = nothing;
           turned = false;
           continue;
         }
-        detail::VertexD* const vertex = vertex_at(element, i, index);
-        if (before_last != nullptr) {
-          detail::FaceD& face = add_face();
-          face.V(0) = turned ? last : before_last;
-          face.V(1) = turned ? before_last : last;
-          face.V(2) = vertex;
+        const std::uint32_t vertex = vertex_at(element, i, index);
+        if (before_last != nothing) {
+          const auto a = static_cast<std::uint32_t>(before_last), b = static_cast<std::uint32_t>(last);
+          file_.mesh.face.push_back({turned ? b : a, turned ? a : b, vertex});
           turned = !turned;
         }
         before_last = std::exchange(last, vertex);
@@ -342,29 +422,49 @@ class PlyReader {
     const std::int64_t columns = number_in_comments("num_cols "), rows = number_in_comments("num_rows ");
     const auto count = static_cast<std::int64_t>(element.count);
     const bool fits = columns > 0 && columns <= count && rows > 0 && rows <= count && columns * rows == count;
-    if (!fits || file_.mesh.vn > count)
+    if (!fits || static_cast<std::int64_t>(vertices_) > count)
       fail(path_, "its range grid of " + std::to_string(count) +
                       " points must have num_cols times num_rows points and " + "as many as there are vertices");
-    std::vector<int> vertex;
+    std::vector<std::int64_t> vertex;
     for (std::size_t i = 0; i < element.count; ++i) {
       data_.read(element, i, row_);
       const std::vector<double>& at = row_.list[static_cast<std::size_t>(list - element.properties.begin())];
-      vertex.push_back(at.empty() ? -1 : static_cast<int>(vertex_at(element, i, at[0]) - file_.mesh.vert.data()));
+      vertex.push_back(at.empty() ? -1 : static_cast<std::int64_t>(vertex_at(element, i, at[0])));
     }
-    vcg::tri::SparseFaceGrid(file_.mesh, vertex, static_cast<int>(columns), static_cast<int>(rows));
+    add_grid(vertex, columns, rows);
+  }
+
+  /// Two triangles between four points of a grid, as vcglib cuts them, and one where one of the points is missing.
+  void add_grid(const std::vector<std::int64_t>& vertex, std::int64_t columns, std::int64_t rows) {
+    const auto add = [this](std::int64_t a, std::int64_t b, std::int64_t c) {
+      if (a < 0 || b < 0 || c < 0) return false;
+      file_.mesh.face.push_back(
+          {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
+      return true;
+    };
+    for (std::int64_t row = 0; row + 1 < rows; ++row)
+      for (std::int64_t column = 0; column + 1 < columns; ++column) {
+        const auto* const above = vertex.data() + row * columns + column;
+        const auto* const below = above + columns;
+        const bool has_first = add(below[1], below[0], above[0]), has_second = add(above[0], above[1], below[1]);
+        if (has_first || has_second) continue;  // the other diagonal
+        add(below[0], above[0], above[1]);
+        add(above[1], below[1], below[0]);
+      }
   }
 
   const std::filesystem::path& path_;
   PlyLayout layout_;
   PlyData data_;
-  MeshFile file_;
+  FlatFile file_;
   Row row_;
+  std::size_t vertices_ = 0;
   bool has_small_faces_ = false;
   std::string unknown_;
 };
 
 }  // namespace
 
-MeshFile read_ply(const std::string& bytes, const std::filesystem::path& path) { return PlyReader(bytes, path).read(); }
+FlatFile read_ply(const std::string& bytes, const std::filesystem::path& path) { return PlyReader(bytes, path).read(); }
 
 }  // namespace mesh_tools::io

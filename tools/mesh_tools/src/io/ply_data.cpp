@@ -17,16 +17,9 @@ namespace {
 
 using Type = PlyLayout::Type;
 
-template <class Value>
-double value_of(const char* raw) {
-  Value value;
-  std::memcpy(&value, raw, sizeof value);
-  return static_cast<double>(value);
-}
-
 /// Rounded once, to the type that the file declares, as MeshLab does.
 template <class Real>
-bool parse_real(const std::string& word, double& result) {
+bool parse_real(std::string_view word, double& result) {
   const char *first = word.data(), *last = first + word.size();
   if (word.size() > 1 && *first == '+' && word[1] != '-') ++first;
   Real value = 0;
@@ -34,35 +27,24 @@ bool parse_real(const std::string& word, double& result) {
   if (stop != last || error == std::errc::invalid_argument) return false;
   // Out of range leaves no value: infinity, or something near 0.
   if (error == std::errc::result_out_of_range) {
+    const std::string ended(first, last);
     if constexpr (sizeof(Real) == sizeof(float))
-      value = std::strtof(first, nullptr);
+      value = std::strtof(ended.c_str(), nullptr);
     else
-      value = std::strtod(first, nullptr);
+      value = std::strtod(ended.c_str(), nullptr);
   }
   result = static_cast<double>(value);
   return true;
 }
 
-template <class Whole>
-bool fits(std::int64_t value) {
-  return value >= std::numeric_limits<Whole>::min() && value <= std::numeric_limits<Whole>::max();
-}
-
 bool fits(std::int64_t value, Type type) {
-  switch (type) {
-    case Type::int8:
-      return fits<std::int8_t>(value);
-    case Type::uint8:
-      return fits<std::uint8_t>(value);
-    case Type::int16:
-      return fits<std::int16_t>(value);
-    case Type::uint16:
-      return fits<std::uint16_t>(value);
-    case Type::int32:
-      return fits<std::int32_t>(value);
-    default:
-      return fits<std::uint32_t>(value);
-  }
+  return visit_type(type, [value](auto number) {
+    using Limits = std::numeric_limits<decltype(number)>;
+    if constexpr (Limits::is_integer)
+      return value >= Limits::min() && value <= Limits::max();
+    else
+      return false;
+  });
 }
 
 bool parse_whole(std::string_view word, Type type, double& result) {
@@ -138,8 +120,8 @@ double PlyData::take_text(Type type) {
   const char* const start = at_;
   while (at_ != end_ && !is_space(*at_)) ++at_;
   if (at_ == start) fail_cut_off();
-  const std::string word(start, at_);
-  taken_ = {start, word.size()};
+  const std::string_view word(start, static_cast<std::size_t>(at_ - start));
+  taken_ = word;
   double value = 0;
   if (is_whole(type)) {
     if (!parse_whole(word, type, value))
@@ -157,25 +139,39 @@ double PlyData::take_binary(Type type) {
   std::memcpy(raw, at_, size);
   taken_ = {at_, size};
   at_ += size;
-  if ((layout_.format == PlyLayout::Format::big_endian) != is_big_endian_machine()) std::reverse(raw, raw + size);
-  switch (type) {
-    case Type::int8:
-      return value_of<std::int8_t>(raw);
-    case Type::uint8:
-      return value_of<std::uint8_t>(raw);
-    case Type::int16:
-      return value_of<std::int16_t>(raw);
-    case Type::uint16:
-      return value_of<std::uint16_t>(raw);
-    case Type::int32:
-      return value_of<std::int32_t>(raw);
-    case Type::uint32:
-      return value_of<std::uint32_t>(raw);
-    case Type::float32:
-      return value_of<float>(raw);
-    default:
-      return value_of<double>(raw);
-  }
+  if (is_swapped()) std::reverse(raw, raw + size);
+  return visit_type(type, [&raw](auto number) {
+    std::memcpy(&number, raw, sizeof number);
+    return static_cast<double>(number);
+  });
+}
+
+bool PlyData::is_swapped() const {
+  return (layout_.format == PlyLayout::Format::big_endian) != is_big_endian_machine();
+}
+
+bool PlyData::has_fixed_rows(const PlyLayout::Element& element) const {
+  return layout_.format != PlyLayout::Format::ascii &&
+         std::none_of(element.properties.begin(), element.properties.end(),
+                      [](const PlyLayout::Property& property) { return property.is_list; });
+}
+
+PlyData::FixedRows PlyData::take_fixed_rows(const PlyLayout::Element& element) {
+  FixedRows rows{at_, 0};
+  for (const PlyLayout::Property& property : element.properties) rows.stride += size_of(property.type);
+  const auto left = static_cast<std::size_t>(end_ - at_);
+  element_ = &element;
+  index_ = rows.stride > 0 ? left / rows.stride : element.count;
+  if (index_ < element.count) fail_cut_off();
+  at_ += rows.stride * element.count;
+  return rows;
+}
+
+void PlyData::expect_triangles(const PlyLayout::Element& element) {
+  const PlyLayout::Property& list = element.properties[0];
+  plain_list_ = &element;
+  is_plain_list_ = layout_.format != PlyLayout::Format::ascii && !is_swapped() && element.properties.size() == 1 &&
+                   list.is_list && size_of(list.count_type) == 1 && is_whole(list.type) && size_of(list.type) == 4;
 }
 
 void PlyData::fail_cut_off() const {

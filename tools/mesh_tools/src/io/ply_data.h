@@ -27,6 +27,33 @@ class PlyData {
   /// Reads row `index` of `element`; to be called for all rows in the order of the file.
   void read(const PlyLayout::Element& element, std::size_t index, Row& row);
 
+  /// Rows that all have the same size: of binary files, of an element without lists.
+  struct FixedRows {
+    const char* begin;
+    std::size_t stride;
+  };
+  bool has_fixed_rows(const PlyLayout::Element& element) const;
+  /// Takes all rows of such an element.
+  FixedRows take_fixed_rows(const PlyLayout::Element& element);
+
+  /// Calls visit(row, number) for the numbers of one property of such rows, in their order.
+  template <class Visit>
+  void visit_numbers(const PlyLayout::Element& element, std::size_t property, const FixedRows& rows,
+                     const Visit& visit) const;
+
+  /// Takes row `index` if it is three whole numbers of 32 bits below `limit`, and nothing else; false, and nothing
+  /// taken, if it is not or the file does not say so plainly.
+  bool take_triangle(const PlyLayout::Element& element, std::uint32_t limit, std::array<std::uint32_t, 3>& corners) {
+    if (!is_plain_list_ || static_cast<std::size_t>(end_ - at_) < 13 || *at_ != 3 || &element != plain_list_)
+      return false;
+    std::memcpy(corners.data(), at_ + 1, 12);
+    if (corners[0] >= limit || corners[1] >= limit || corners[2] >= limit) return false;
+    at_ += 13;
+    return true;
+  }
+  /// Says which element take_triangle() will be asked for.
+  void expect_triangles(const PlyLayout::Element& element);
+
   /// Of text: whether the last row begins a line, as every row does in a sound file.
   bool row_begins_line() const;
 
@@ -41,6 +68,10 @@ class PlyData {
   [[noreturn]] void fail_at_row(const PlyLayout::Element& element, std::size_t index, const std::string& what) const;
 
  private:
+  template <class Number, class Visit>
+  void visit_as(const char* at, std::size_t stride, std::size_t count, const Visit& visit) const;
+  bool is_swapped() const;
+
   double take(PlyLayout::Type type);
   double take_text(PlyLayout::Type type);
   double take_binary(PlyLayout::Type type);
@@ -52,10 +83,34 @@ class PlyData {
   const PlyLayout& layout_;
   const std::filesystem::path& path_;
   const char *data_, *at_, *end_;
-  const char* row_ = nullptr;                    // where the last row begins
-  std::string_view taken_;                       // bytes of the last number
+  const char* row_ = nullptr;  // where the last row begins
+  std::string_view taken_;     // bytes of the last number
+  bool is_plain_list_ = false;
+  const PlyLayout::Element* plain_list_ = nullptr;
   const PlyLayout::Element* element_ = nullptr;  // where fail_here() is
   std::size_t index_ = 0;
 };
+
+template <class Number, class Visit>
+void PlyData::visit_as(const char* at, std::size_t stride, std::size_t count, const Visit& visit) const {
+  const bool swapped = is_swapped();
+  for (std::size_t i = 0; i < count; ++i, at += stride) {
+    char raw[sizeof(Number)];
+    std::memcpy(raw, at, sizeof raw);
+    if (swapped) std::reverse(raw, raw + sizeof raw);
+    Number number;
+    std::memcpy(&number, raw, sizeof raw);
+    visit(i, static_cast<double>(number));
+  }
+}
+
+template <class Visit>
+void PlyData::visit_numbers(const PlyLayout::Element& element, std::size_t property, const FixedRows& rows,
+                            const Visit& visit) const {
+  const char* at = rows.begin;
+  for (std::size_t p = 0; p < property; ++p) at += size_of(element.properties[p].type);
+  visit_type(element.properties[property].type,
+             [&](auto number) { visit_as<decltype(number)>(at, rows.stride, element.count, visit); });
+}
 
 }  // namespace mesh_tools::io

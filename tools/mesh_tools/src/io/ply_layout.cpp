@@ -51,21 +51,6 @@ bool is_name(std::string_view word) {
 
 bool is_whole(Type type) { return type != Type::float32 && type != Type::float64; }
 
-std::size_t size_of(Type type) {
-  switch (type) {
-    case Type::int8:
-    case Type::uint8:
-      return 1;
-    case Type::int16:
-    case Type::uint16:
-      return 2;
-    case Type::float64:
-      return 8;
-    default:
-      return 4;
-  }
-}
-
 const PlyLayout::Property* PlyLayout::Element::find(const std::string& property) const {
   for (const Property& candidate : properties)
     if (candidate.name == property) return &candidate;

@@ -41,7 +41,33 @@ struct PlyLayout {
 std::vector<std::string_view> texture_names(const PlyLayout& layout);
 
 bool is_whole(PlyLayout::Type type);
-std::size_t size_of(PlyLayout::Type type);
+
+/// Calls visit(number) with a number of the type, whatever its value.
+template <class Visit>
+decltype(auto) visit_type(PlyLayout::Type type, const Visit& visit) {
+  switch (type) {
+    case PlyLayout::Type::int8:
+      return visit(std::int8_t());
+    case PlyLayout::Type::uint8:
+      return visit(std::uint8_t());
+    case PlyLayout::Type::int16:
+      return visit(std::int16_t());
+    case PlyLayout::Type::uint16:
+      return visit(std::uint16_t());
+    case PlyLayout::Type::int32:
+      return visit(std::int32_t());
+    case PlyLayout::Type::uint32:
+      return visit(std::uint32_t());
+    case PlyLayout::Type::float32:
+      return visit(float());
+    default:
+      return visit(double());
+  }
+}
+
+inline std::size_t size_of(PlyLayout::Type type) {
+  return visit_type(type, [](auto number) { return sizeof number; });
+}
 
 /// Reads the header and throws FileError where it is not one. Passed over are a byte order mark, empty lines before the
 /// word ply, and lines that declare nothing.

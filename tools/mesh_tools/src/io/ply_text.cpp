@@ -21,7 +21,7 @@ namespace {
 template <class Scalar>
 class PlyText {
  public:
-  PlyText(const MeshFile& file, const std::vector<std::string>& textures)
+  PlyText(const FlatFile& file, const std::vector<std::string>& textures)
       : file_(file),
         textures_(textures),
         mesh_(file.mesh),
@@ -30,19 +30,14 @@ class PlyText {
 
   std::string bytes() {
     append_header();
-    std::vector<std::int32_t> number(mesh_.vert.size());
-    std::int32_t count = 0;
-    for (std::size_t i = 0; i < mesh_.vert.size(); ++i) {
-      if (mesh_.vert[i].IsD()) continue;
-      number[i] = count++;
-      append_vertex(mesh_.vert[i]);
-    }
+    bytes_.reserve(bytes_.size() + size_of_vertices() + size_of_triangles());
+    for (std::size_t v = 0; v < mesh_.vertices(); ++v) append_vertex(v);
     visit_polygons(file_, [&](std::size_t face, const std::uint32_t* first, const std::uint32_t* last) {
-      append_polygon(mesh_.face[face], first, last, number);
+      append_polygon(face, first, last);
     });
-    for (const auto& edge : mesh_.edge)
-      if (has(edges) && !edge.IsD())
-        for (int k = 0; k < 2; ++k) append(number[vcg::tri::Index(mesh_, edge.cV(k))]);
+    if (has(edges))
+      for (const auto& edge : mesh_.edge)
+        for (const std::uint32_t end : edge) append(static_cast<std::int32_t>(end));
     return std::move(bytes_);
   }
 
@@ -54,6 +49,10 @@ class PlyText {
   /// Of texture coordinates there are two for each corner.
   bool has_long_lists() const { return 2 * count_.most_corners > 255; }
 
+  /// Without attributes: room for most of what comes.
+  std::size_t size_of_vertices() const { return mesh_.vertices() * 3 * sizeof(Scalar); }
+  std::size_t size_of_triangles() const { return mesh_.face.size() * (1 + 3 * sizeof(std::int32_t)); }
+
   void declare(const std::string& type, std::initializer_list<const char*> names) {
     for (const char* name : names) bytes_ += "property " + type + " " + name + "\n";
   }
@@ -62,7 +61,7 @@ class PlyText {
     bytes_ = "ply\nformat binary_little_endian 1.0\n";
     if (has(vertex_texture | wedge_texture))
       for (const std::string& texture : textures_) bytes_ += "comment TextureFile " + texture + "\n";
-    bytes_ += "element vertex " + std::to_string(mesh_.vn) + "\n";
+    bytes_ += "element vertex " + std::to_string(mesh_.vertices()) + "\n";
     declare(scalar, {"x", "y", "z"});
     if (has(vertex_normal)) declare(scalar, {"nx", "ny", "nz"});
     if (has(vertex_flags)) declare("int", {"flags"});
@@ -80,7 +79,7 @@ class PlyText {
     if (has(face_normal)) declare(scalar, {"nx", "ny", "nz"});
     if (has(face_quality)) declare(scalar, {"quality"});
     if (has(edges)) {
-      bytes_ += "element edge " + std::to_string(mesh_.en) + "\n";
+      bytes_ += "element edge " + std::to_string(mesh_.edge.size()) + "\n";
       declare("int", {"vertex1", "vertex2"});
     }
     bytes_ += "end_header\n";
@@ -94,8 +93,7 @@ class PlyText {
     bytes_.append(raw, sizeof value);
   }
 
-  template <class Point>
-  void append_point(const Point& p) {
+  void append_point(const vcg::Point3d& p) {
     for (int k = 0; k < 3; ++k) append(static_cast<Scalar>(p[k]));
   }
 
@@ -103,17 +101,19 @@ class PlyText {
     for (int k = 0; k < 4; ++k) append(color[k]);
   }
 
-  void append_vertex(const detail::VertexD& vertex) {
-    append_point(vertex.cP());
-    if (has(vertex_normal)) append_point(vertex.cN());
-    if (has(vertex_flags)) append(static_cast<std::int32_t>(vertex.cFlags()));
-    if (has(vertex_color)) append_color(vertex.cC());
-    if (has(vertex_quality)) append(static_cast<Scalar>(vertex.cQ()));
-    if (has(vertex_radius)) append(static_cast<float>(vertex.cR()));
-    if (has(vertex_texture)) {
-      append(static_cast<float>(vertex.cT().u()));
-      append(static_cast<float>(vertex.cT().v()));
-    }
+  void append_vertex(std::size_t v) {
+    append_point(mesh_.position[v]);
+    if (has(vertex_normal)) append_point(mesh_.vertex_normal[v]);
+    if (has(vertex_flags)) append(mesh_.vertex_flags[v]);
+    if (has(vertex_color)) append_color(mesh_.vertex_color[v]);
+    if (has(vertex_quality)) append(static_cast<Scalar>(mesh_.vertex_quality[v]));
+    if (has(vertex_radius)) append(mesh_.vertex_radius[v]);
+    if (has(vertex_texture)) append_place(mesh_.vertex_texture[v]);
+  }
+
+  void append_place(const FlatMesh::TextureCoordinate& place) {
+    append(place.u);
+    append(place.v);
   }
 
   void append_length(std::size_t length) {
@@ -123,30 +123,27 @@ class PlyText {
       append(static_cast<unsigned char>(length));
   }
 
-  void append_polygon(const detail::FaceD& face, const std::uint32_t* first, const std::uint32_t* last,
-                      const std::vector<std::int32_t>& number) {
+  void append_polygon(std::size_t face, const std::uint32_t* first, const std::uint32_t* last) {
     const auto corners = static_cast<std::size_t>(last - first);
     append_length(corners);
     for (const std::uint32_t* corner = first; corner != last; ++corner)
-      append(number[vcg::tri::Index(mesh_, mesh_.face[*corner / 3].cV(static_cast<int>(*corner % 3)))]);
-    if (has(face_flags)) append(static_cast<std::int32_t>(face.cFlags()));
+      append(static_cast<std::int32_t>(mesh_.face[*corner / 3][*corner % 3]));
+    if (has(face_flags)) append(mesh_.face_flags[face]);
     if (has(wedge_texture)) {
-      append_length(is_textured(face) ? 2 * corners : 0);
-      for (const std::uint32_t* corner = first; corner != last && is_textured(face); ++corner) {
-        const auto& place = mesh_.face[*corner / 3].cWT(static_cast<int>(*corner % 3));
-        append(static_cast<float>(place.u()));
-        append(static_cast<float>(place.v()));
-      }
+      const bool textured = is_textured(mesh_, face);
+      append_length(textured ? 2 * corners : 0);
+      for (const std::uint32_t* corner = first; corner != last && textured; ++corner)
+        append_place(mesh_.wedge_texture[*corner / 3][*corner % 3]);
     }
-    if (has_pages()) append(static_cast<std::int32_t>(face.cWT(0).n()));
-    if (has(face_color)) append_color(face.cC());
-    if (has(face_normal)) append_point(face.cN());
-    if (has(face_quality)) append(static_cast<Scalar>(face.cQ()));
+    if (has_pages()) append(static_cast<std::int32_t>(mesh_.face_page.empty() ? 0 : mesh_.face_page[face]));
+    if (has(face_color)) append_color(mesh_.face_color[face]);
+    if (has(face_normal)) append_point(mesh_.face_normal[face]);
+    if (has(face_quality)) append(static_cast<Scalar>(mesh_.face_quality[face]));
   }
 
-  const MeshFile& file_;
+  const FlatFile& file_;
   const std::vector<std::string>& textures_;
-  const Mesh& mesh_;
+  const FlatMesh& mesh_;
   int attributes_;
   PolygonCount count_;
   std::string bytes_;
@@ -154,7 +151,7 @@ class PlyText {
 
 }  // namespace
 
-std::string ply_bytes(const MeshFile& file, const std::vector<std::string>& textures) {
+std::string ply_bytes(const FlatFile& file, const std::vector<std::string>& textures) {
   return file.precision == Precision::double_precision ? PlyText<double>(file, textures).bytes()
                                                        : PlyText<float>(file, textures).bytes();
 }

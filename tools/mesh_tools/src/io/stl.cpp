@@ -3,15 +3,10 @@
 // trusts the number of facets.
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <string_view>
-#include <unordered_map>
-
-#include <mesh_tools/mesh.h>  // first: the header of vcglib below needs it
-
-#include <vcg/complex/algorithms/update/bounding.h>
+#include <vector>
 
 #include "formats.h"
 #include "text.h"
@@ -24,7 +19,6 @@ constexpr std::uint16_t color_bit = 0x8000;  // of a facet's attribute
 
 struct Facet {
   vcg::Point3f corner[3];
-  std::uint16_t attribute = 0;  // of binary files
 };
 
 /// Programs write keywords in small letters or capitals, put words behind them, leave normals out. So what counts are
@@ -61,91 +55,143 @@ std::vector<Facet> read_text(const std::string& bytes, const std::filesystem::pa
   return facets;
 }
 
-std::vector<Facet> read_binary(const std::string& bytes, std::size_t count) {
-  std::vector<Facet> facets(count);
-  const char* at = bytes.data() + header_size;
-  const auto take = [&at](auto& value) {
-    char raw[sizeof value];
-    std::memcpy(raw, at, sizeof value);
-    if (is_big_endian_machine()) std::reverse(raw, raw + sizeof value);
-    std::memcpy(&value, raw, sizeof value);
-    at += sizeof value;
-  };
-  for (Facet& facet : facets) {
-    at += 3 * sizeof(float);  // the normal, which follows from the corners
-    for (vcg::Point3f& corner : facet.corner)
-      for (int k = 0; k < 3; ++k) take(corner[k]);
-    take(facet.attribute);
-  }
-  return facets;
+/// A number of a binary file, as the machine has it.
+template <class Number>
+Number number_at(const char* at) {
+  char raw[sizeof(Number)];
+  std::memcpy(raw, at, sizeof raw);
+  if (is_big_endian_machine()) std::reverse(raw, raw + sizeof raw);
+  Number number;
+  std::memcpy(&number, raw, sizeof number);
+  return number;
 }
+
+/// The facets of a binary file, where they are.
+class BinaryFacets {
+ public:
+  BinaryFacets(const std::string& bytes, std::size_t count) : begin_(bytes.data() + header_size), count_(count) {}
+
+  std::size_t size() const { return count_; }
+
+  /// But for the normal, which follows from the corners.
+  Facet operator[](std::size_t i) const {
+    Facet facet;
+    const char* at = begin_ + i * facet_size + 3 * sizeof(float);
+    for (vcg::Point3f& corner : facet.corner)
+      for (int k = 0; k < 3; ++k, at += sizeof(float)) corner[k] = number_at<float>(at);
+    return facet;
+  }
+
+  std::uint16_t attribute(std::size_t i) const {
+    return number_at<std::uint16_t>(begin_ + i * facet_size + 12 * sizeof(float));
+  }
+
+ private:
+  const char* begin_;
+  std::size_t count_;
+};
 
 /// Two programs put colours into the attributes. Materialise Magics has "COLOR=" with four bytes in the header, red in
 /// the lowest bits, and the highest bit set where a facet has the colour of the header. VisCAM has blue in the lowest
 /// bits, and the highest bit set where a facet has a colour.
-void read_colors(const std::string& bytes, const std::vector<Facet>& facets, MeshFile& file) {
+void read_colors(const std::string& bytes, const BinaryFacets& facets, FlatFile& file) {
   constexpr std::string_view keyword = "COLOR=";
   const std::string_view header = std::string_view(bytes).substr(0, 80);
   const std::size_t at = header.find(keyword);
   const bool is_magics = at != header.npos && at + keyword.size() + 4 <= header.size();
-  const auto has_bits = [](const Facet& facet) { return facet.attribute != 0; };
-  // Some programs write the header, and no colours.
-  const bool all_as_header = is_magics && std::none_of(facets.begin(), facets.end(), has_bits);
+  bool has_bits = false, has_marks = false;
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    has_bits |= facets.attribute(i) != 0;
+    has_marks |= (facets.attribute(i) & color_bit) != 0;
+  }
+  if (!is_magics && !has_marks) return;
+  const bool all_as_header = is_magics && !has_bits;  // some programs write the header, and no colours
   vcg::Color4b of_header(255, 255, 255, 255);
   for (int k = 0; k < 4 && is_magics; ++k)
     of_header[k] = static_cast<unsigned char>(header[at + keyword.size() + static_cast<std::size_t>(k)]);
+  file.attributes |= face_color;
+  file.mesh.face_color.assign(facets.size(), vcg::Color4b(255, 255, 255, 255));
   for (std::size_t i = 0; i < facets.size(); ++i) {
-    const std::uint16_t attribute = facets[i].attribute;
-    const bool marked = attribute & color_bit;
-    vcg::Color4b& color = file.mesh.face[i].C();
+    const std::uint16_t attribute = facets.attribute(i);
+    const bool marked = (attribute & color_bit) != 0;
+    vcg::Color4b& color = file.mesh.face_color[i];
     if (is_magics)
       color = marked || all_as_header ? of_header : vcg::Color4b::FromUnsignedR5G5B5(attribute);
     else if (marked)
       color = vcg::Color4b::FromUnsignedB5G5R5(attribute);
-    if (is_magics || marked) file.attributes |= face_color;
   }
 }
 
-/// Gives faces common vertices: corners at exactly the same place become one vertex, in the order of the file.
+/// Gives faces common vertices: corners at exactly the same place become one vertex, in the order of the file. An open
+/// hash table of vertex numbers: a node for each vertex would take longer than all the rest.
 class VertexMerger {
  public:
-  std::size_t vertex_at(const vcg::Point3f& place) {
-    std::array<std::uint32_t, 3> key;
-    for (int k = 0; k < 3; ++k) {
-      const float value = place[k] + 0.0f;  // -0 and 0 are the same place
-      std::memcpy(&key[k], &value, sizeof value);
-    }
-    const auto [entry, is_new] = vertex_at_.try_emplace(key, places.size());
-    if (is_new) places.push_back(place);
-    return entry->second;
+  /// @param corners  how many there will be
+  VertexMerger(std::size_t corners, Points& places) : places_(places) {
+    // Most meshes have a vertex for six corners: the table is mostly empty, and grows where it is not.
+    std::size_t room = 64;
+    while (room < corners / 3) room *= 2;
+    slot_.assign(room, none);
   }
 
-  std::vector<vcg::Point3f> places;
+  std::uint32_t vertex_at(const vcg::Point3f& place) {
+    if (2 * places_.size() >= slot_.size()) grow();
+    std::size_t at = hash(place) & (slot_.size() - 1);
+    for (; slot_[at] != none; at = (at + 1) & (slot_.size() - 1))
+      if (is_at(slot_[at], place)) return slot_[at];
+    slot_[at] = static_cast<std::uint32_t>(places_.size());
+    places_.push_back(vcg::Point3d(place[0], place[1], place[2]));
+    return slot_[at];
+  }
 
  private:
-  struct Hash {
-    std::size_t operator()(const std::array<std::uint32_t, 3>& key) const {
-      std::uint64_t hash = 0;
-      for (const std::uint32_t part : key) hash = (hash ^ part) * 0x9e3779b97f4a7c15u + (hash >> 29);
-      return hash;
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  /// By bits, so that numbers that are none do no harm; -0 and 0 are the same place.
+  static std::uint32_t bits_of(float number) {
+    const float value = number + 0.0f;
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &value, sizeof bits);
+    return bits;
+  }
+
+  bool is_at(std::uint32_t vertex, const vcg::Point3f& place) const {
+    const float* const other = places_.floats() + 3 * static_cast<std::size_t>(vertex);
+    return bits_of(other[0]) == bits_of(place[0]) && bits_of(other[1]) == bits_of(place[1]) &&
+           bits_of(other[2]) == bits_of(place[2]);
+  }
+
+  static std::uint64_t hash(const vcg::Point3f& place) {
+    std::uint64_t hash = 0;
+    for (int k = 0; k < 3; ++k) hash = (hash ^ bits_of(place[k])) * 0x9e3779b97f4a7c15u + (hash >> 29);
+    return hash ^ hash >> 32;
+  }
+
+  void grow() {
+    std::vector<std::uint32_t> old(2 * slot_.size(), none);
+    old.swap(slot_);
+    for (const std::uint32_t vertex : old) {
+      if (vertex == none) continue;
+      const float* const place = places_.floats() + 3 * static_cast<std::size_t>(vertex);
+      std::size_t at = hash({place[0], place[1], place[2]}) & (slot_.size() - 1);
+      while (slot_[at] != none) at = (at + 1) & (slot_.size() - 1);
+      slot_[at] = vertex;
     }
-  };
-  std::unordered_map<std::array<std::uint32_t, 3>, std::size_t, Hash> vertex_at_;
+  }
+
+  Points& places_;
+  std::vector<std::uint32_t> slot_;
 };
 
-void build(const std::vector<Facet>& facets, Mesh& mesh) {
-  VertexMerger merger;
-  std::vector<std::array<std::size_t, 3>> corners;
-  corners.reserve(facets.size());
-  for (const Facet& facet : facets)
-    corners.push_back(
-        {merger.vertex_at(facet.corner[0]), merger.vertex_at(facet.corner[1]), merger.vertex_at(facet.corner[2])});
-  auto vertex = vcg::tri::Allocator<Mesh>::AddVertices(mesh, merger.places.size());
-  for (const vcg::Point3f& place : merger.places) (vertex++)->P().Import(place);
-  auto face = vcg::tri::Allocator<Mesh>::AddFaces(mesh, corners.size());
-  for (const auto& corner : corners) {
-    for (int k = 0; k < 3; ++k) face->V(k) = &mesh.vert[corner[k]];
-    ++face;
+template <class Facets>
+void build(const Facets& facets, const std::filesystem::path& path, FlatMesh& mesh) {
+  if (facets.size() == 0) fail(path, "holds no facets");
+  VertexMerger merger(3 * facets.size(), mesh.position);
+  mesh.face.reserve(facets.size());
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    const Facet facet = facets[i];
+    const std::uint32_t a = merger.vertex_at(facet.corner[0]), b = merger.vertex_at(facet.corner[1]);
+    mesh.face.push_back({a, b, merger.vertex_at(facet.corner[2])});
   }
 }
 
@@ -175,11 +221,7 @@ StlLayout stl_layout(const std::string& bytes) {
   const bool is_solid = reader.next(words) && stl_keyword(words[0]) == StlKeyword::solid;
   layout.may_be_text = is_solid && bytes.find('\0') == bytes.npos;
   if (bytes.size() < header_size) return layout;
-  std::uint32_t count = 0;
-  char raw[sizeof count];
-  std::memcpy(raw, bytes.data() + header_size - sizeof count, sizeof count);
-  if (is_big_endian_machine()) std::reverse(raw, raw + sizeof count);
-  std::memcpy(&count, raw, sizeof count);
+  const auto count = number_at<std::uint32_t>(bytes.data() + header_size - sizeof(std::uint32_t));
   const std::size_t room = bytes.size() - header_size, fit = room / facet_size;
   layout.declared = count;
   layout.facets = count;
@@ -190,33 +232,35 @@ StlLayout stl_layout(const std::string& bytes) {
   return layout;
 }
 
-MeshFile read_stl(const std::string& bytes, const std::filesystem::path& path) {
+FlatFile read_stl(const std::string& bytes, const std::filesystem::path& path) {
   const StlLayout layout = stl_layout(bytes);
   if (!layout.is_binary && !layout.may_be_text)
     fail(path, "is neither text STL, which begins with 'solid', nor binary STL, whose size is 84 + 50 bytes a facet");
-  const std::vector<Facet> facets = layout.is_binary ? read_binary(bytes, layout.facets) : read_text(bytes, path);
-  if (facets.empty()) fail(path, "holds no facets");
-  MeshFile file;
+  FlatFile file;
   file.precision = Precision::single_precision;
-  build(facets, file.mesh);
-  if (layout.is_binary) {
-    read_colors(bytes, facets, file);
-    const std::size_t behind = bytes.size() - header_size - facets.size() * facet_size;
-    if (layout.facets != layout.declared)
-      file.warnings.push_back(path.string() + ": its header counts " + std::to_string(layout.declared) +
-                              " facets, and there are " + std::to_string(layout.facets) + "; all are read");
-    else if (behind > 0)
-      file.warnings.push_back(path.string() + ": " + std::to_string(behind) +
-                              " bytes behind the last facet are passed over");
+  file.mesh.position = Points(file.precision);
+  if (!layout.is_binary) {
+    build(read_text(bytes, path), path, file.mesh);
+    return file;
   }
-  vcg::tri::UpdateBounding<Mesh>::Box(file.mesh);
+  const BinaryFacets facets(bytes, layout.facets);
+  build(facets, path, file.mesh);
+  read_colors(bytes, facets, file);
+  const std::size_t behind = bytes.size() - header_size - facets.size() * facet_size;
+  if (layout.facets != layout.declared)
+    file.warnings.push_back(path.string() + ": its header counts " + std::to_string(layout.declared) +
+                            " facets, and there are " + std::to_string(layout.facets) + "; all are read");
+  else if (behind > 0)
+    file.warnings.push_back(path.string() + ": " + std::to_string(behind) +
+                            " bytes behind the last facet are passed over");
   return file;
 }
 
-std::string stl_bytes(const MeshFile& file) {
+std::string stl_bytes(const FlatFile& file) {
+  const FlatMesh& mesh = file.mesh;
   std::string bytes = "VCG";
   bytes.resize(header_size - sizeof(std::uint32_t), ' ');
-  bytes.reserve(header_size + facet_size * static_cast<std::size_t>(file.mesh.fn));
+  bytes.reserve(header_size + facet_size * mesh.face.size());
   const auto append = [&bytes](auto value) {
     char raw[sizeof value];
     std::memcpy(raw, &value, sizeof value);
@@ -226,13 +270,14 @@ std::string stl_bytes(const MeshFile& file) {
   const auto append_point = [&append](const vcg::Point3d& p) {
     for (int k = 0; k < 3; ++k) append(static_cast<float>(p[k]));
   };
-  append(static_cast<std::uint32_t>(file.mesh.fn));
-  for (const auto& face : file.mesh.face) {
-    if (face.IsD()) continue;
-    append_point(vcg::TriangleNormal(face).Normalize());
-    for (int k = 0; k < 3; ++k) append_point(face.cP(k));
-    vcg::Color4b color = face.cC();
-    const bool colored = file.attributes & face_color;
+  append(static_cast<std::uint32_t>(mesh.face.size()));
+  const bool colored = (file.attributes & face_color) != 0 && !mesh.face_color.empty();
+  for (std::size_t f = 0; f < mesh.face.size(); ++f) {
+    const auto& face = mesh.face[f];
+    const vcg::Point3d corner[3] = {mesh.position[face[0]], mesh.position[face[1]], mesh.position[face[2]]};
+    append_point(((corner[1] - corner[0]) ^ (corner[2] - corner[0])).Normalize());
+    for (const vcg::Point3d& place : corner) append_point(place);
+    vcg::Color4b color = colored ? mesh.face_color[f] : vcg::Color4b();
     append(static_cast<std::uint16_t>(colored ? color_bit | vcg::Color4b::ToUnsignedB5G5R5(color) : 0));
   }
   return bytes;

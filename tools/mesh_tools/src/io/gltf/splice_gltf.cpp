@@ -51,10 +51,10 @@ class GltfSplicer {
   }
 
   SplicedFiles splice() {
-    const Mesh& mesh = input_.file.mesh;
+    const FlatMesh& mesh = input_.file.mesh;
     std::size_t count = 0;
     for (const GltfVertices& set : found_.vertices) count += set.positions.count;
-    check_same_count(input_.path, "vertices", mesh.vert.size(), count);
+    check_same_count(input_.path, "vertices", mesh.vertices(), count);
     find_moved();
     put_vertices();
     visit_elements(json_member(file_.text, "accessors"),
@@ -75,20 +75,20 @@ class GltfSplicer {
     std::size_t v = 0;
     for (const GltfVertices& set : found_.vertices)
       for (std::size_t i = 0; i < set.positions.count; ++i, ++v) {
-        vertices_.add(place_of(file_, set, i), input_.file.mesh.vert[v].cP());
+        vertices_.add(place_of(file_, set, i), input_.file.mesh.position[v]);
         normals_.push_back(set.normals ? normal_of(file_, set, i) : Point3d(0, 0, 0));
       }
   }
 
   void put_vertices() {
-    const Mesh& mesh = input_.file.mesh;
+    const FlatMesh& mesh = input_.file.mesh;
     MovedNormals moved_normals(mesh, vertices_, normals_);
     moved_normals.add_triangles();
     moved_normals.finish();
     std::size_t v = 0;
     for (const GltfVertices& set : found_.vertices)
       for (std::size_t i = 0; i < set.positions.count; ++i, ++v) {
-        if (vertices_.moved[v]) put(set.positions, i, as_stored(set, mesh.vert[v].cP()));
+        if (vertices_.moved[v]) put(set.positions, i, as_stored(set, mesh.position[v]));
         const auto normal = set.normals ? moved_normals.normal(v) : std::nullopt;
         if (normal) put(*set.normals, i, normal_as_stored(set, *normal));
       }

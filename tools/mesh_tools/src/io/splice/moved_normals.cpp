@@ -63,7 +63,7 @@ void MovedVertices::add(const Point3d& before_place, const Point3d& now) {
   moved.push_back(!is_same);
 }
 
-MovedNormals::MovedNormals(const Mesh& mesh, const MovedVertices& vertices, const std::vector<Point3d>& normals)
+MovedNormals::MovedNormals(const FlatMesh& mesh, const MovedVertices& vertices, const std::vector<Point3d>& normals)
     : mesh_(mesh),
       vertices_(vertices),
       place_(equal_ones(vertices.before)),
@@ -86,7 +86,7 @@ std::uint32_t MovedNormals::piece_of(const Corner& corner) {
 
 void MovedNormals::add_face(const std::vector<Corner>& corners) {
   const std::size_t count = corners.size();
-  const auto at = [&](std::size_t k) { return mesh_.vert[corners[k % count].vertex].cP(); };
+  const auto at = [&](std::size_t k) { return mesh_.position[corners[k % count].vertex]; };
   const Point3d normal = newell_normal(count, at);
   const bool moved =
       std::any_of(corners.begin(), corners.end(), [&](const Corner& corner) { return vertices_.moved[corner.vertex]; });
@@ -103,10 +103,7 @@ void MovedNormals::add_face(const std::vector<Corner>& corners) {
 void MovedNormals::add_triangles() {
   std::vector<Corner> corners(3);
   for (const auto& face : mesh_.face) {
-    for (int k = 0; k < 3; ++k) {
-      const auto v = static_cast<std::uint32_t>(vcg::tri::Index(mesh_, face.cV(k)));
-      corners[static_cast<std::size_t>(k)] = {v, v};
-    }
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = {face[k], face[k]};
     add_face(corners);
   }
 }
@@ -132,8 +129,8 @@ std::optional<Point3d> MovedNormals::normal(std::size_t index) const {
   return unit(sum);
 }
 
-Point3d polygon_normal(const Mesh& mesh, const std::vector<std::uint32_t>& vertices) {
-  return newell_normal(vertices.size(), [&](std::size_t k) { return mesh.vert[vertices[k]].cP(); });
+Point3d polygon_normal(const FlatMesh& mesh, const std::vector<std::uint32_t>& vertices) {
+  return newell_normal(vertices.size(), [&](std::size_t k) { return mesh.position[vertices[k]]; });
 }
 
 }  // namespace mesh_tools::io

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <mesh_tools/mesh.h>
+#include <mesh_tools/flat_mesh.h>
 
 namespace mesh_tools::io {
 
@@ -36,7 +36,7 @@ class MovedNormals {
   /// All are referred to, not copied.
   /// @param mesh     its vertices are where the file's vertices go
   /// @param normals  the list of the file's normals
-  MovedNormals(const Mesh& mesh, const MovedVertices& vertices, const std::vector<vcg::Point3d>& normals);
+  MovedNormals(const FlatMesh& mesh, const MovedVertices& vertices, const std::vector<vcg::Point3d>& normals);
 
   /// Takes a face into account: a polygon, given by corners around it, at least three, with indices in range.
   void add_face(const std::vector<Corner>& corners);
@@ -60,7 +60,7 @@ class MovedNormals {
 
   std::uint32_t piece_of(const Corner& corner);
 
-  const Mesh& mesh_;
+  const FlatMesh& mesh_;
   const MovedVertices& vertices_;
   std::vector<std::uint32_t> place_, value_;  // equal ones have the same number
   std::vector<Piece> pieces_;
@@ -72,6 +72,6 @@ class MovedNormals {
 /// Normal of a polygon, of unit length; zero if it has none. By Newell's formula: of a polygon that is not plane the
 /// normal of a plane through its middle.
 /// @param vertices  indices into the mesh, in range
-vcg::Point3d polygon_normal(const Mesh& mesh, const std::vector<std::uint32_t>& vertices);
+vcg::Point3d polygon_normal(const FlatMesh& mesh, const std::vector<std::uint32_t>& vertices);
 
 }  // namespace mesh_tools::io

@@ -13,7 +13,7 @@
 namespace mesh_tools::io {
 
 struct SpliceInput {
-  const MeshFile& file;               ///< what was read from the bytes, with vertices moved
+  const FlatFile& file;               ///< what was read from the bytes, with vertices moved
   const std::filesystem::path& path;  ///< where the bytes come from: for messages and material files
   bool recolored = false;             ///< whether colours and qualities of vertices may have changed too
 };

@@ -69,12 +69,12 @@ class ObjSplicer {
       else if (words_[0] == "f")
         read_face();
     }
-    check_same_count(input_.path, "vertices", mesh_.vert.size(), vertices_.before.size());
+    check_same_count(input_.path, "vertices", mesh_.vertices(), vertices_.before.size());
   }
 
   void add_vertex(const Point3d& before) {
     const std::size_t index = vertices_.before.size();
-    vertices_.add(before, index < mesh_.vert.size() ? mesh_.vert[index].cP() : before);  // too many: refused later
+    vertices_.add(before, index < mesh_.vertices() ? mesh_.position[index] : before);  // too many: refused later
   }
 
   /// Indices may count back from here, so they are found out now; what they refer to may come later.
@@ -102,7 +102,7 @@ class ObjSplicer {
                   corners_.begin() + static_cast<std::ptrdiff_t>(end));
       start = end;
       const bool is_whole = std::all_of(face.begin(), face.end(), [&](const MovedNormals::Corner& corner) {
-        return corner.vertex < mesh_.vert.size() && corner.normal < old_normals_.size();
+        return corner.vertex < mesh_.vertices() && corner.normal < old_normals_.size();
       });
       if (is_whole && face.size() >= 3) normals_->add_face(face);
     }
@@ -113,9 +113,10 @@ class ObjSplicer {
   std::string_view number_word(std::size_t first, int k) const { return words_[first + static_cast<std::size_t>(k)]; }
 
   void put_vertex(const LineReader& reader, std::size_t index) {
-    const auto& vertex = mesh_.vert[index];
-    for (int k = 0; k < 3; ++k) text_.replace_number(number_word(1, k), vertices_.before[index][k], vertex.cP()[k]);
-    if (input_.recolored && words_.size() >= 7) put_color(reader, vertex.cC());
+    for (int k = 0; k < 3; ++k)
+      text_.replace_number(number_word(1, k), vertices_.before[index][k], mesh_.position.number(index, k));
+    if (input_.recolored && words_.size() >= 7 && !mesh_.vertex_color.empty())
+      put_color(reader, mesh_.vertex_color[index]);
   }
 
   void put_color(const LineReader& reader, const vcg::Color4b& now) {
@@ -143,7 +144,7 @@ class ObjSplicer {
 
   const std::string& bytes_;
   const SpliceInput& input_;
-  const Mesh& mesh_;
+  const FlatMesh& mesh_;
   const std::filesystem::path& out_;
   TextSplicer text_;
   Words words_;

@@ -31,15 +31,16 @@ class OffSplicer {
     LineReader first_reader(bytes_, input_.path), reader(bytes_, input_.path);
     header_ = read_off_header(first_reader);
     read_off_header(reader);
-    check_same_count(input_.path, "vertices", mesh_.vert.size(), static_cast<std::size_t>(header_.vertices));
+    check_same_count(input_.path, "vertices", mesh_.vertices(), static_cast<std::size_t>(header_.vertices));
     if (header_.normals) renew_normals(first_reader);
     OffRows rows(reader, header_, input_.file.free_layout);
-    for (std::size_t i = 0; i < mesh_.vert.size(); ++i) {
+    for (std::size_t i = 0; i < mesh_.vertices(); ++i) {
       rows.next_vertex(words_);
-      put_point(0, point(reader, words_, 0), mesh_.vert[i].cP());
+      put_point(0, point(reader, words_, 0), mesh_.position[i]);
       if (normals_)
         if (const auto normal = normals_->normal(i)) put_point(3, old_normals_[i], *normal);
-      if (input_.recolored && header_.colors) put_color(reader, rows, mesh_.vert[i].cC());
+      if (input_.recolored && header_.colors && !mesh_.vertex_color.empty())
+        put_color(reader, rows, mesh_.vertex_color[i]);
     }
     return text_.finish();
   }
@@ -47,9 +48,9 @@ class OffSplicer {
  private:
   void renew_normals(LineReader& reader) {
     OffRows rows(reader, header_, input_.file.free_layout);
-    for (std::size_t i = 0; i < mesh_.vert.size(); ++i) {
+    for (std::size_t i = 0; i < mesh_.vertices(); ++i) {
       rows.next_vertex(words_);
-      vertices_.add(point(reader, words_, 0), mesh_.vert[i].cP());
+      vertices_.add(point(reader, words_, 0), mesh_.position[i]);
       old_normals_.push_back(point(reader, words_, 3));
     }
     normals_.emplace(mesh_, vertices_, old_normals_);
@@ -78,7 +79,7 @@ class OffSplicer {
 
   const std::string& bytes_;
   const SpliceInput& input_;
-  const Mesh& mesh_;
+  const FlatMesh& mesh_;
   TextSplicer text_;
   OffHeader header_;
   Words words_;

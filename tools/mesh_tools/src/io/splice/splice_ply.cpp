@@ -7,6 +7,7 @@
 #include <cstring>
 #include <optional>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,10 @@ double as_stored(double value, Type type) {
   return type == Type::float32 ? static_cast<double>(static_cast<float>(value)) : value;
 }
 
+[[noreturn]] void refuse_whole_numbers() {
+  throw NoRoom("its coordinates are whole numbers; those of the result are not, so it is written anew");
+}
+
 /// Puts numbers in the place of others: text into a copy, binary numbers into the bytes themselves.
 class PlyNumbers {
  public:
@@ -48,6 +53,32 @@ class PlyNumbers {
         return put(raw, before, now);
       default:
         return put_whole(raw, type, before, now);
+    }
+  }
+
+  /// Puts now(i) in the place of the i-th of numbers at equal distances, all of one type, of a binary file.
+  /// @param first  where the first one is in the file
+  /// @throws NoRoom  it would have to become another one, and they are whole numbers
+  template <class Number, class Now>
+  void replace_all(const char* first, std::size_t stride, std::size_t count, Number /*type*/, const Now& now) {
+    char* at = bytes_.data() + (first - bytes_.data());
+    const bool swapped = is_swapped();
+    for (std::size_t i = 0; i < count; ++i, at += stride) {
+      char raw[sizeof(Number)];
+      std::memcpy(raw, at, sizeof raw);
+      if (swapped) std::reverse(raw, raw + sizeof raw);
+      Number before;
+      std::memcpy(&before, raw, sizeof raw);
+      const double wanted = now(i);
+      if constexpr (std::is_integral_v<Number>) {
+        if (static_cast<double>(before) != wanted) refuse_whole_numbers();
+      } else {
+        const auto number = static_cast<Number>(wanted);
+        if (is_same_number(before, number)) continue;
+        std::memcpy(raw, &number, sizeof raw);
+        if (swapped) std::reverse(raw, raw + sizeof raw);
+        std::memcpy(at, raw, sizeof raw);
+      }
     }
   }
 
@@ -88,10 +119,11 @@ class PlyNumbers {
   void put_binary(std::string_view raw, Number number) {
     char binary[sizeof number];
     std::memcpy(binary, &number, sizeof number);
-    if ((format_ == PlyLayout::Format::big_endian) != is_big_endian_machine())
-      std::reverse(binary, binary + sizeof number);
+    if (is_swapped()) std::reverse(binary, binary + sizeof number);
     std::memcpy(bytes_.data() + (raw.data() - bytes_.data()), binary, sizeof number);
   }
+
+  bool is_swapped() const { return (format_ == PlyLayout::Format::big_endian) != is_big_endian_machine(); }
 
   std::string& bytes_;
   PlyLayout::Format format_;
@@ -113,7 +145,7 @@ class PlySplicer {
   std::string splice() {
     const Element* const vertex = layout_.find("vertex");
     const Element* const face = layout_.find("face");
-    check_same_count(input_.path, "vertices", mesh_.vert.size(), vertex ? vertex->count : 0);
+    check_same_count(input_.path, "vertices", mesh_.vertices(), vertex ? vertex->count : 0);
     if (vertex == nullptr) return bytes_;  // as many as were read: none
     const bool vertex_normals = Roles(*vertex, known_of_vertex).has_normal();
     const bool face_normals = face && face->count > 0 && Roles(*face, known_of_face).has_normal();
@@ -125,10 +157,15 @@ class PlySplicer {
     for (const Element& element : layout_.elements) {
       const bool is_vertex = &element == vertex, is_face = &element == face && face_normals;
       const Roles roles = is_vertex ? Roles(element, known_of_vertex) : Roles(element, known_of_face);
-      for (std::size_t i = 0; i < element.count; ++i) {
-        data.read(element, i, row_);
-        if (is_vertex) put_vertex(element, roles, i);
-        if (is_face) put_face_normal(element, roles);
+      if (data.has_fixed_rows(element) && (!is_vertex || (!vertex_normals && !input_.recolored)) && !is_face) {
+        const PlyData::FixedRows rows = data.take_fixed_rows(element);
+        if (is_vertex) put_positions(element, roles, rows);
+      } else {
+        for (std::size_t i = 0; i < element.count; ++i) {
+          data.read(element, i, row_);
+          if (is_vertex) put_vertex(element, roles, i);
+          if (is_face) put_face_normal(element, roles);
+        }
       }
       if ((is_vertex || is_face) && --left == 0) break;
     }
@@ -154,7 +191,7 @@ class PlySplicer {
       for (std::size_t i = 0; i < element.count; ++i) {
         data.read(element, i, row_);
         if (&element != &vertex) continue;
-        Point3d now = mesh_.vert[i].cP();
+        Point3d now = mesh_.position[i];
         for (std::size_t p = 0; p < element.properties.size(); ++p) {
           const int k = static_cast<int>(roles[p]) - static_cast<int>(Role::x);
           if (k >= 0 && k < 3) now[k] = as_stored(now[k], element.properties[p].type);
@@ -178,7 +215,6 @@ class PlySplicer {
   }
 
   void put_vertex(const Element& element, const Roles& roles, std::size_t index) {
-    const auto& vertex = mesh_.vert[index];
     const std::optional<Point3d> normal = normals_ ? normals_->normal(index) : std::nullopt;
     for (std::size_t p = 0; p < element.properties.size(); ++p) {
       const Role role = roles[p];
@@ -186,7 +222,7 @@ class PlySplicer {
         case Role::x:
         case Role::y:
         case Role::z:
-          put_coordinate(element, p, vertex.cP()[static_cast<int>(role) - static_cast<int>(Role::x)]);
+          put_coordinate(element, p, mesh_.position.number(index, static_cast<int>(role) - static_cast<int>(Role::x)));
           break;
         case Role::nx:
         case Role::ny:
@@ -194,38 +230,55 @@ class PlySplicer {
           if (normal) put(element, p, (*normal)[static_cast<int>(role) - static_cast<int>(Role::nx)]);
           break;
         default:
-          if (input_.recolored) put_color(element, p, role, vertex);
+          if (input_.recolored) put_color(element, p, role, index);
       }
     }
   }
 
+  /// Of binary rows of one size, where nothing but the positions changes.
+  void put_positions(const Element& element, const Roles& roles, const PlyData::FixedRows& rows) {
+    const char* first = rows.begin;
+    for (const PlyLayout::Property& property : element.properties) {
+      const auto p = static_cast<std::size_t>(&property - element.properties.data());
+      const int k = static_cast<int>(roles[p]) - static_cast<int>(Role::x);
+      if (k >= 0 && k < 3)
+        visit_type(property.type, [&](auto number) {
+          numbers_.replace_all(first, rows.stride, element.count, number,
+                               [&](std::size_t i) { return mesh_.position.number(i, k); });
+        });
+      first += size_of(property.type);
+    }
+  }
+
   void put_coordinate(const Element& element, std::size_t property, double now) {
-    if (is_whole(element.properties[property].type) && row_.number[property] != now)
-      throw NoRoom("its coordinates are whole numbers; those of the result are not, so it is written anew");
+    if (is_whole(element.properties[property].type) && row_.number[property] != now) refuse_whole_numbers();
     put(element, property, now);
   }
 
-  void put_color(const Element& element, std::size_t property, Role role, const detail::VertexD& vertex) {
+  void put_color(const Element& element, std::size_t property, Role role, std::size_t index) {
     const double before = row_.number[property];
     switch (role) {
       case Role::quality: {
         // The filter has seen it in the precision of the positions.
         const bool single = input_.file.precision == Precision::single_precision;
-        if (!single || static_cast<float>(before) != static_cast<float>(vertex.cQ()))
-          put(element, property, vertex.cQ());
+        const double now = mesh_.vertex_quality[index];
+        if (!single || static_cast<float>(before) != static_cast<float>(now)) put(element, property, now);
         break;
       }
       case Role::red:
       case Role::green:
       case Role::blue:
       case Role::alpha:
-        if (const unsigned char now = vertex.cC()[static_cast<int>(role) - static_cast<int>(Role::red)]; true) {
+        if (mesh_.vertex_color.empty()) return;  // a single component is no colour to write
+        if (const unsigned char now = mesh_.vertex_color[index][static_cast<int>(role) - static_cast<int>(Role::red)];
+            true) {
           const double scale = element.properties[property].type == Type::uint8 ? 1 : input_.file.color_scale;
           if (color_byte(scale * before) != now) put(element, property, now / scale);
         }
         break;
       case Role::gray:
-        if (color_byte(255 * before) != vertex.cC()[0]) put(element, property, vertex.cC()[0] / 255.0);
+        if (const unsigned char now = mesh_.vertex_color[index][0]; color_byte(255 * before) != now)
+          put(element, property, now / 255.0);
         break;
       default:
         break;
@@ -238,7 +291,7 @@ class PlySplicer {
     corners_.clear();
     bool moved = false;
     for (const double index : row_.list[static_cast<std::size_t>(list - element.properties.begin())]) {
-      if (!(index >= 0 && index < static_cast<double>(mesh_.vert.size()))) return;
+      if (!(index >= 0 && index < static_cast<double>(mesh_.vertices()))) return;
       corners_.push_back(static_cast<std::uint32_t>(index));
       moved |= vertices_.moved[corners_.back()];
     }
@@ -258,7 +311,7 @@ class PlySplicer {
   std::string& bytes_;
   const SpliceInput& input_;
   const std::filesystem::path& out_;
-  const Mesh& mesh_;
+  const FlatMesh& mesh_;
   PlyLayout layout_;
   PlyNumbers numbers_;
   PlyData::Row row_;

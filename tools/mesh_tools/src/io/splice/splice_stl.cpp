@@ -24,15 +24,17 @@ using Numbers = std::array<float, 12>;  // of a facet: its normal, its corners
 constexpr std::size_t floats = std::tuple_size_v<Numbers>;
 
 /// What a facet becomes. The normal stays where no corner moves, and where the facet has no direction.
-Numbers moved_facet(const Numbers& before, const detail::FaceD& face) {
+Numbers moved_facet(const Numbers& before, const FlatMesh& mesh, std::size_t face) {
   Numbers now = before;
   bool moved = false;
+  Point3d corner[3];
+  for (std::size_t k = 0; k < 3; ++k) corner[k] = mesh.position[mesh.face[face][k]];
   for (std::size_t i = 3; i < floats; ++i) {
-    const double coordinate = face.cP(static_cast<int>(i / 3 - 1))[static_cast<int>(i % 3)];
+    const double coordinate = corner[i / 3 - 1][static_cast<int>(i % 3)];
     now[i] = static_cast<float>(coordinate);
     moved |= !is_same_number(before[i], now[i]);
   }
-  const Point3d normal = (face.cP(1) - face.cP(0)) ^ (face.cP(2) - face.cP(0));
+  const Point3d normal = (corner[1] - corner[0]) ^ (corner[2] - corner[0]);
   const double length = normal.Norm();
   if (moved && length > 0 && std::isfinite(length))
     for (int k = 0; k < 3; ++k) now[static_cast<std::size_t>(k)] = static_cast<float>(normal[k] / length);
@@ -46,7 +48,7 @@ void reverse_on_big_endian(char (&raw)[floats * sizeof(float)]) {
 
 /// In the bytes themselves.
 std::string splice_binary(std::string bytes, std::size_t facets, const SpliceInput& input) {
-  const Mesh& mesh = input.file.mesh;
+  const FlatMesh& mesh = input.file.mesh;
   check_same_count(input.path, "facets", mesh.face.size(), facets);
   for (std::size_t f = 0; f < mesh.face.size(); ++f) {
     char* const at = bytes.data() + stl_header_size + f * stl_facet_size;
@@ -55,7 +57,7 @@ std::string splice_binary(std::string bytes, std::size_t facets, const SpliceInp
     reverse_on_big_endian(raw);
     Numbers before;
     std::memcpy(before.data(), raw, sizeof raw);
-    Numbers now = moved_facet(before, mesh.face[f]);
+    Numbers now = moved_facet(before, mesh, f);
     for (std::size_t i = 0; i < floats; ++i)
       if (is_same_number(before[i], now[i])) now[i] = before[i];  // 0 and -0 have other bytes
     std::memcpy(raw, now.data(), sizeof raw);
@@ -73,7 +75,7 @@ float normal_number(std::string_view word) {
 }
 
 std::string splice_text(const std::string& bytes, const SpliceInput& input) {
-  const Mesh& mesh = input.file.mesh;
+  const FlatMesh& mesh = input.file.mesh;
   TextSplicer text(bytes);
   LineReader reader(bytes, input.path);
   std::vector<std::string_view> words;
@@ -99,7 +101,7 @@ std::string splice_text(const std::string& bytes, const SpliceInput& input) {
     }
     if (next < floats) continue;
     if (found < mesh.face.size()) {
-      const Numbers now = moved_facet(before, mesh.face[found]);
+      const Numbers now = moved_facet(before, mesh, found);
       for (std::size_t i = first; i < floats; ++i) text.replace_number(facet[i], before[i], now[i]);
     }
     ++found;
