@@ -2,8 +2,11 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include <mesh_tools/shapes.h>
+#include <mesh_tools/voxel_shapes.h>
 
 #include "command.h"
 #include "mesh_output.h"
@@ -14,31 +17,56 @@ namespace {
 constexpr long long most_vertices = 50'000'000;
 
 struct Options {
-  std::string shape, output;
+  std::string shape, output, truth;
   long long vertices = 10000;
+  std::optional<double> slice_distance, tilt;
   bool double_precision = false, quiet = false;
 };
 
-void run(const Options& options) {
-  if (options.vertices < 1 || options.vertices > most_vertices)
-    throw BadValue("vertices is " + std::to_string(options.vertices) + "; allowed are 1 to " +
-                   std::to_string(most_vertices));
-  mesh_tools::check_writable(options.output);
+mesh_tools::MeshFile file_of(const Options& options, mesh_tools::Mesh mesh) {
   mesh_tools::MeshFile file;
-  file.mesh = mesh_tools::make_shape(options.shape, static_cast<std::size_t>(options.vertices));
+  file.mesh = std::move(mesh);
   file.precision =
       options.double_precision ? mesh_tools::Precision::double_precision : mesh_tools::Precision::single_precision;
+  return file;
+}
+
+void write_shape(const Options& options, mesh_tools::Mesh mesh) {
+  const mesh_tools::MeshFile file = file_of(options, std::move(mesh));
   write_result(file, options.output);
   if (!options.quiet)
     std::cout << options.shape << ": " << file.mesh.vn << " vertices, " << file.mesh.fn << " faces, written to "
               << options.output << "\n";
 }
 
+void write_voxel_shape(const Options& options) {
+  if (!options.truth.empty()) mesh_tools::check_writable(options.truth);
+  if (options.truth == options.output) throw BadValue("truth and OUT are the same file");
+  mesh_tools::VoxelGrid grid;
+  grid.slice_distance = options.slice_distance.value_or(grid.slice_distance);
+  grid.tilt = options.tilt.value_or(grid.tilt);
+  mesh_tools::VoxelShape shape =
+      mesh_tools::make_voxel_shape(options.shape, static_cast<std::size_t>(options.vertices), grid);
+  if (!options.truth.empty()) write_output(file_of(options, std::move(shape.truth)), options.truth);
+  write_shape(options, std::move(shape.surface));
+}
+
+void run(const Options& options) {
+  if (options.vertices < 1 || options.vertices > most_vertices)
+    throw BadValue("vertices is " + std::to_string(options.vertices) + "; allowed are 1 to " +
+                   std::to_string(most_vertices));
+  mesh_tools::check_writable(options.output);
+  if (mesh_tools::is_voxel_shape(options.shape)) return write_voxel_shape(options);
+  if (!options.truth.empty() || options.slice_distance || options.tilt)
+    throw BadValue("truth, slice-distance and tilt are for voxel shapes only; " + options.shape + " is not one");
+  write_shape(options, mesh_tools::make_shape(options.shape, static_cast<std::size_t>(options.vertices)));
+}
+
 std::string shape_help() {
   std::string text = "One of";
   for (const mesh_tools::Shape& shape : mesh_tools::all_shapes())
     text += std::string("\n") + shape.name + ": " + shape.description;
-  return text;
+  return text + "\nvoxel_ before a closed one of them, as in voxel_sphere: the surface of its voxels";
 }
 
 }  // namespace
@@ -49,6 +77,12 @@ std::function<void()> declare_generate(CLI::App& app) {
   app.add_option("OUT", options->output, "Where the mesh goes: PLY, OBJ, OFF or STL")->required();
   app.add_option("--vertices", options->vertices, "About how many; shapes with details have a least number")
       ->capture_default_str();
+  app.add_option("--slice-distance", options->slice_distance,
+                 "Voxel shapes: distance of the slices along z, in pixels; 1 to 6, 1 by default");
+  app.add_option("--tilt", options->tilt,
+                 "Voxel shapes: degrees by which the shape is turned against the voxels; 0 by default");
+  app.add_option("--truth", options->truth,
+                 "Voxel shapes: where the same faces go with their vertices on the shape itself, for measure");
   app.add_flag("--double", options->double_precision,
                "Write coordinates in double precision, not in float as most files");
   app.add_flag("--quiet", options->quiet, "Print warnings and errors only");

@@ -154,6 +154,13 @@ void SurfaceBuilder::add_patch(const Patch& patch) {
 
 void SurfaceBuilder::write_to(Mesh& mesh) const { fill_mesh(vertices_, triangles_, mesh); }
 
+void finish_mesh(Mesh& mesh) {
+  vcg::tri::UpdateNormal<Mesh>::PerVertexAngleWeighted(mesh);
+  vcg::tri::UpdateNormal<Mesh>::NormalizePerVertex(mesh);
+  vcg::tri::UpdateNormal<Mesh>::PerFaceNormalized(mesh);
+  vcg::tri::UpdateBounding<Mesh>::Box(mesh);
+}
+
 void fill_mesh(const std::vector<vcg::Point3d>& vertices, const std::vector<std::array<int, 3>>& triangles,
                Mesh& mesh) {
   mesh.Clear();
@@ -164,10 +171,7 @@ void fill_mesh(const std::vector<vcg::Point3d>& vertices, const std::vector<std:
     for (int k = 0; k < 3; ++k) face->V(k) = &mesh.vert[t[k]];
     ++face;
   }
-  vcg::tri::UpdateNormal<Mesh>::PerVertexAngleWeighted(mesh);
-  vcg::tri::UpdateNormal<Mesh>::NormalizePerVertex(mesh);
-  vcg::tri::UpdateNormal<Mesh>::PerFaceNormalized(mesh);
-  vcg::tri::UpdateBounding<Mesh>::Box(mesh);
+  finish_mesh(mesh);
 }
 
 }  // namespace mesh_tools::shapes

@@ -57,6 +57,9 @@ class SurfaceBuilder {
   std::vector<std::array<int, 3>> triangles_;
 };
 
+/// Normals and bounding box.
+void finish_mesh(Mesh& mesh);
+
 /// Replaces `mesh` by the given vertices and triangles, with normals and bounding box.
 void fill_mesh(const std::vector<vcg::Point3d>& vertices, const std::vector<std::array<int, 3>>& triangles, Mesh& mesh);
 
