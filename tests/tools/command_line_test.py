@@ -265,6 +265,26 @@ class Subcommands(CommandLine):
         self.run_tool("noise", "clean.ply", "any.ply", "--level", "0.2", "--seed", "3", "--direction", "any")
         self.assertNotEqual(self.bytes_of("any.ply"), first)
 
+    def test_noise_has_other_kinds(self):
+        self.noisy()
+        seen = {self.bytes_of("noisy.ply")}
+        for options in (("--correlation", "2"), ("--share", "0.3"), ("--level-far", "0.4"), ("--camera", "0,0,9"),
+                        ("--step", "0.5"), ("--step", "0.5", "--axis", "1,2,3"), ("--camera=-1,0,9", "--share", "0.9")):
+            self.run_tool("noise", "clean.ply", "other.ply", "--level", "0.2", "--seed", "3", *options)
+            self.assertNotIn(self.bytes_of("other.ply"), seen, options)
+            seen.add(self.bytes_of("other.ply"))
+
+    def test_voxel_shapes_come_with_their_truth(self):
+        self.run_tool("generate", "voxel_sphere", "voxels.ply", "--vertices", "3000", "--truth", "truth.ply")
+        figures = json.loads(self.run_tool("measure", "voxels.ply", "truth.ply", "--json").stdout)
+        self.assertAlmostEqual(figures["normal_error_mean"], 20.6, delta=0.7)
+        for row in read_ply(self.path("truth.ply"))[1]:
+            self.assertAlmostEqual(math.hypot(row["x"], row["y"], row["z"]), 1, delta=1e-6)
+        cubic = self.bytes_of("voxels.ply")
+        for options in (("--slice-distance", "3"), ("--tilt", "20")):
+            self.run_tool("generate", "voxel_sphere", "voxels.ply", "--vertices", "3000", *options)
+            self.assertNotEqual(self.bytes_of("voxels.ply"), cubic)
+
     def test_measure_prints_a_table_for_people(self):
         self.noisy("cube", "400")
         output = self.run_tool("measure", "noisy.ply", "clean.ply", "--noisy", "noisy.ply").stdout
@@ -329,6 +349,17 @@ class Subcommands(CommandLine):
         self.expect_failure("geodesic", "noisy.ply", "x.obj", "--start-vertex", "0", says=".ply")
         self.expect_failure("noise", "noisy.ply", "x.ply", "--level", "-0.1", says=("level is -0.1", "0 or more"))
         self.expect_failure("noise", "noisy.ply", "x.ply", "--level", "0.1", "--direction", "up", says="'up'")
+        for option, value in (("share", "0"), ("share", "2"), ("correlation", "-1"), ("step", "-1"), ("level-far", "-1"),
+                              ("axis", "0,0,0"), ("camera", "inf,0,0")):
+            self.expect_failure("noise", "noisy.ply", "x.ply", "--level", "0.1", f"--{option}={value}",
+                                says=option.split("-")[0])
+        self.expect_failure("noise", "noisy.ply", "x.ply", "--level", "0.1", "--camera", "0,0,9", "--direction", "any",
+                            says="both given")
+        self.expect_failure("generate", "voxel_pyramid", "x.ply", says=("'voxel_pyramid'", "voxel_stepped_block"))
+        self.expect_failure("generate", "voxel_cube", "x.ply", "--slice-distance", "7", says=("7", "1 to 6"))
+        self.expect_failure("generate", "voxel_cube", "x.ply", "--truth", "x.ply", says="same file")
+        self.expect_failure("generate", "cube", "x.ply", "--truth", "y.ply", says="voxel shapes only")
+        self.expect_failure("generate", "cube", "x.ply", "--slice-distance", "2", says="voxel shapes only")
         self.expect_failure("generate", "pyramid", "x.ply", says=("'pyramid'", "stepped_block"))
         self.expect_failure("generate", "cube", "x.ply", "--vertices", "0", says=("vertices is 0", "allowed are 1 to"))
 

@@ -25,7 +25,7 @@ constexpr char no_memory[] = "not enough memory for this mesh";
 constexpr Command commands[] = {
     {"smooth", "Smooth a mesh and keep its edges", declare_smooth},
     {"geodesic", "Geodesic distances from a vertex, as vertex quality and colour", declare_geodesic},
-    {"noise", "Add Gaussian noise to the vertices", declare_noise},
+    {"noise", "Add noise to the vertices: Gaussian, correlated, impulsive, of depth cameras, in steps", declare_noise},
     {"measure", "Compare a result with the truth", declare_measure},
     {"compare", "The six methods of the paper's Table 1 side by side: meshes, figures, pictures", declare_compare},
     {"generate", "Make a test shape", declare_generate},
