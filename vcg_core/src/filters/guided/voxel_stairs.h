@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include <vcg_core/detail/mesh_arrays.h>
+
+#include "face_geometry.h"
+
+namespace vcg_core::detail {
+
+/// The grid of a binary volume, such as a label map of computed tomography, whose boundary a mesh is. Marching cubes
+/// put each vertex half-way between the centres of a voxel inside and its neighbour outside, so that curved and slanted
+/// surfaces are stairs; the true surface passes anywhere between the two centres.
+struct VoxelStairs {
+  std::array<Vec3, 3> axis;    ///< of the grid: orthogonal unit vectors, nearest to x, y and z
+  std::array<double, 3> step;  ///< distance of the centres along each axis, in units of the positions
+  Array<std::uint8_t> pair;    ///< by vertex: the axis along which its two voxels lie; 3 if it is not of the grid
+
+  /// Variance, along the surface's unit normal n, of the vertices' distances from it. Of those between voxels along
+  /// axis k, it is uniform within n_k step_k to both sides; and they are in proportion to n_k step_k.
+  double variance(const Vec3& normal) const;
+};
+
+/// The grid, if the mesh is such a boundary, as it came from marching cubes: moved, turned or scaled, but not smoothed.
+/// What tells: normals of few directions, two of the axes among them unless these are x, y and z; coordinates along
+/// each axis that are multiples of half a step; and all but one in 200 vertices are at a centre along two axes and
+/// half-way along the third. Clean models of exact coordinates, as grids and blocks of steps, fail in the last.
+/// Independent of the mesh's noise, for there is none. New here.
+std::optional<VoxelStairs> find_voxel_stairs(const MeshArrays& mesh, const FaceGeometry& faces, Job& job);
+
+}  // namespace vcg_core::detail
