@@ -12,6 +12,7 @@
 #include "mesh/weld.h"
 #include "mesh_topology.h"
 #include "spatial_order.h"
+#include "volume.h"
 
 namespace vcg_core::detail {
 
@@ -43,13 +44,16 @@ void sort_faces(MeshArrays& mesh, Job& job) {
   job.serial(mesh.size(), [&](std::size_t v) { begin[v + 1] += begin[v]; });
   Array<std::array<Index, 3>> face(mesh.face.size());
   Array<std::array<Index, 3>> corner_copy(mesh.corner_copy.size());
+  Array<std::uint8_t> counted(mesh.counted_face.size());
   job.serial(mesh.face.size(), [&](std::size_t f) {
     const Index to = begin[lowest(f)]++;
     face[to] = mesh.face[f];
     if (!corner_copy.empty()) corner_copy[to] = mesh.corner_copy[f];
+    if (!counted.empty()) counted[to] = mesh.counted_face[f];
   });
   mesh.face.swap(face);
   mesh.corner_copy.swap(corner_copy);
+  mesh.counted_face.swap(counted);
 }
 
 }  // namespace
@@ -63,7 +67,7 @@ MeshArrays make_mesh_arrays(RawMesh raw, Job& job, const ReadOptions& options) {
   MeshArrays mesh;
   static_cast<RawMesh&>(mesh) = std::move(raw);
   {
-    const Array<Index> order = morton_order(mesh.position, job).order;
+    const Array<Index> order = morton_order(mesh.position, box_of_whole(mesh, job), job).order;
     job.report(0.3);
     const Welding welding = weld(mesh.position, order, options.weld_distance, job);
     const Array<Index> by_vertex = reorder_vertices(mesh, order, welding, job);
@@ -80,7 +84,7 @@ MeshArrays make_mesh_arrays(RawMesh raw, Job& job, const ReadOptions& options) {
   }
   if (!mesh.copy_begin.empty())
     job.serial(mesh.size(),
-               [&](std::size_t v) { mesh.coincident_vertices += mesh.copies(v) > 1 ? mesh.copies(v) : 0; });
+               [&](std::size_t v) { mesh.coincident_vertices += mesh.copies(v) > 1 ? mesh.counted(v) : 0; });
   mesh.topology = find_topology(mesh, job);
   find_creases(mesh, std::move(mesh.crease_ends), job);
   return mesh;

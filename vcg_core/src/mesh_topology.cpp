@@ -60,6 +60,7 @@ class EdgeVisitor {
     }
     higher_.clear();
     const std::uint8_t kind = ends_.size() <= few ? count_few(v) : count_sorted(v);
+    if (!mesh_.counted_copies.empty() && mesh_.counted_copies[v] == 0) return kind;
     for (const Index end : higher_) sums.length += (mesh_.position[end] - mesh_.position[v]).norm();
     sums.edges += higher_.size();
     return kind;
@@ -133,16 +134,21 @@ MeshTopology find_topology(const RawMesh& mesh, Job& job) {
     all.length += s.length;
     all.edges += s.edges;
   }
-  if (!(all.length > 0)) throw InvalidMesh("the mesh has no edge of any length");
-  topology.average_edge_length = all.length / static_cast<double>(all.edges);
+  if (!(all.length > 0) && !mesh.whole) throw InvalidMesh("the mesh has no edge of any length");
+  topology.edges = all.edges;
+  if (all.edges > 0) topology.own_edge_length = all.length / static_cast<double>(all.edges);
+  const bool is_known = mesh.whole && mesh.whole->average_edge_length > 0;
+  topology.average_edge_length = is_known ? mesh.whole->average_edge_length : topology.own_edge_length;
 
   topology.border.resize(n);
   job.serial(n, [&](std::size_t v) {
     topology.border[v] = (kind[v] & on_border) != 0;
-    if (topology.border[v]) topology.border_vertices += mesh.copies(v);
-    if (kind[v] & non_manifold) topology.non_manifold_vertices += mesh.copies(v);
+    if (topology.border[v]) topology.border_vertices += mesh.counted(v);
+    if (kind[v] & non_manifold) topology.non_manifold_vertices += mesh.counted(v);
   });
-  job.serial(mesh.face.size(), [&](std::size_t f) { topology.degenerate_faces += is_degenerate(mesh, mesh.face[f]); });
+  job.serial(mesh.face.size(), [&](std::size_t f) {
+    if (mesh.counts_face(f)) topology.degenerate_faces += is_degenerate(mesh, mesh.face[f]);
+  });
   return topology;
 }
 

@@ -43,12 +43,12 @@ class VertexCheck {
   void visit(Index v, Counts& counts) {
     const MeshTopology& topology = mesh_.topology;
     const Index begin = topology.star_begin[v], end = topology.star_begin[v + 1];
-    if (begin == end) return;
+    if (begin == end || mesh_.counted(v) == 0) return;
     counts.largest_coordinate = std::max(counts.largest_coordinate, mesh_.position[v].cwiseAbs().maxCoeff());
     const double step = (position_[v] - mesh_.position[v]).squaredNorm();
     const double limit = 2 * topology.average_edge_length;
-    if (step > limit * limit) counts.far_moved += mesh_.copies(v);
-    if (step > 0 && is_beyond_ring(v, step)) counts.beyond_ring += mesh_.copies(v);
+    if (step > limit * limit) counts.far_moved += mesh_.counted(v);
+    if (step > 0 && is_beyond_ring(v, step)) counts.beyond_ring += mesh_.counted(v);
     if (!topology.border_vertices && !topology.non_manifold_vertices)
       counts.opposed = counts.opposed || has_repeated_successor(begin, end);
   }
@@ -112,7 +112,7 @@ void check_result(const MeshArrays& mesh, const Array<Vec3>& position, Smoothing
   job.parallel(mesh.face.size(), grain, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f)
-        counts[chunks.index()].flipped += is_flipped(mesh.face[f], mesh.position, position);
+        if (mesh.counts_face(f)) counts[chunks.index()].flipped += is_flipped(mesh.face[f], mesh.position, position);
   });
   job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
     VertexCheck check(mesh, position);
@@ -128,7 +128,7 @@ void check_result(const MeshArrays& mesh, const Array<Vec3>& position, Smoothing
     all.opposed = all.opposed || part.opposed;
     all.largest_coordinate = std::max(all.largest_coordinate, part.largest_coordinate);
   }
-  report.faces = mesh.face.size();
+  report.faces = mesh.counted_faces();
   report.flipped_faces = all.flipped;
   report.far_moved_vertices = all.far_moved;
   report.beyond_ring_vertices = all.beyond_ring;

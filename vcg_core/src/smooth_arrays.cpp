@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <vcg_core/detail/job.h>
+#include <vcg_core/errors.h>
 
 #include "count_intersections.h"
 #include "filters/catalogue.h"
@@ -28,8 +29,8 @@ Array<std::uint8_t> find_movable(const MeshArrays& mesh, const SmoothingParamete
     const bool held = (parameters.boundary == Boundary::fixed && topology.border[i]) ||
                       (parameters.selected_only && !mesh.is_selected(i)) || (!mesh.weight.empty() && mesh.weight[i] == 0);
     const bool isolated = topology.star_begin[i] == topology.star_begin[i + 1];
-    if (held) report.fixed_vertices += mesh.copies(i);
-    if (!held && isolated) report.skipped_vertices.isolated += mesh.copies(i);
+    if (held) report.fixed_vertices += mesh.counted(i);
+    if (!held && isolated) report.skipped_vertices.isolated += mesh.counted(i);
     movable[i] = !held && !isolated;
   });
   return movable;
@@ -42,7 +43,7 @@ void describe_mesh(const MeshArrays& mesh, const MethodInfo& method, const Smoot
   if (method.uses(&SmoothingParameters::sigma_c)) report.sigma_c_length = parameters.sigma_c * e;
   if (method.uses(&SmoothingParameters::sigma_s)) report.sigma_s_length = parameters.sigma_s * e;
   if (method.uses(&SmoothingParameters::rho)) report.rho_length = parameters.rho * parameters.sigma_c * e;
-  report.vertices = mesh.host_vertex.size();
+  report.vertices = mesh.counted_vertices();
   report.border_vertices = mesh.topology.border_vertices;
   report.non_manifold_vertices = mesh.topology.non_manifold_vertices;
   report.coincident_vertices = mesh.coincident_vertices;
@@ -56,7 +57,7 @@ void describe_mesh(const MeshArrays& mesh, const MethodInfo& method, const Smoot
 void count_undefined_normals(const MeshArrays& mesh, const Array<Vec3>& normal, const Array<std::uint8_t>& movable,
                              SmoothingReport& report, Job& job) {
   job.serial(mesh.size(), [&](std::size_t i) {
-    if (movable[i] && normal[i].isZero(0)) report.skipped_vertices.undefined_normal += mesh.copies(i);
+    if (movable[i] && normal[i].isZero(0)) report.skipped_vertices.undefined_normal += mesh.counted(i);
   });
 }
 
@@ -76,6 +77,7 @@ bool smooths_attributes(Method method, const SmoothingParameters& parameters) {
 SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const SmoothingParameters& parameters,
                               const SmoothingLimits& limits, VertexAttributes& attributes, Job& job) {
   const Filter& filter = filter_of(method);
+  if (!(mesh.topology.average_edge_length > 0)) throw InvalidMesh("the mesh has no edge of any length");
   SmoothingResult result;
   describe_mesh(mesh, filter.info, parameters, result.report, job);
   const Array<std::uint8_t> movable = find_movable(mesh, parameters, result.report, job);
@@ -100,7 +102,7 @@ SmoothingResult smooth_arrays(const MeshArrays& mesh, Method method, const Smoot
   }
   run_pass = nullptr;  // and what it kept from pass to pass
   for (std::size_t v = 0; v < bounded.size(); ++v)
-    if (bounded[v]) result.report.bounded_vertices += mesh.copies(v);
+    if (bounded[v]) result.report.bounded_vertices += mesh.counted(v);
 
   if (attributes.channels() > 0) filter.smooth_attributes(mesh, result.position, movable, parameters, attributes, job);
 

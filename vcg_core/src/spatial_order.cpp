@@ -27,8 +27,7 @@ std::uint64_t spread(std::uint64_t x) {
   return x;
 }
 
-Array<std::uint64_t> morton_codes(const Array<Vec3>& position, Job& job) {
-  const Eigen::AlignedBox3d box = bounding_box(position, job);
+Array<std::uint64_t> morton_codes(const Array<Vec3>& position, const Eigen::AlignedBox3d& box, Job& job) {
   const double extent = position.empty() ? 0.0 : box.sizes().maxCoeff();
   const double cells = (1 << bits_per_axis) - 1;
   const double scale = extent > 0 ? cells / extent : 0.0;
@@ -36,7 +35,7 @@ Array<std::uint64_t> morton_codes(const Array<Vec3>& position, Job& job) {
   job.serial(position.size(), [&](std::size_t i) {
     std::uint64_t code = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      const double cell = std::min((position[i][axis] - box.min()[axis]) * scale, cells);
+      const double cell = std::clamp((position[i][axis] - box.min()[axis]) * scale, 0.0, cells);
       code |= spread(static_cast<std::uint64_t>(cell)) << axis;
     }
     codes[i] = code;
@@ -68,7 +67,11 @@ void sort_within_codes(const Array<Vec3>& position, SpatialOrder& spatial, Job& 
 }  // namespace
 
 SpatialOrder morton_order(const Array<Vec3>& position, Job& job) {
-  SpatialOrder result{Array<Index>(position.size()), morton_codes(position, job)};
+  return morton_order(position, bounding_box(position, job), job);
+}
+
+SpatialOrder morton_order(const Array<Vec3>& position, const Eigen::AlignedBox3d& box, Job& job) {
+  SpatialOrder result{Array<Index>(position.size()), morton_codes(position, box, job)};
   job.serial(position.size(), [&](std::size_t i) { result.order[i] = static_cast<Index>(i); });
   radix_sort(result.code, result.order, 3 * bits_per_axis, &job);
   sort_within_codes(position, result, job);

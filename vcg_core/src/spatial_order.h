@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include <Eigen/Geometry>
+
 #include <vcg_core/detail/mesh_arrays.h>
 
 namespace vcg_core::detail {
@@ -16,5 +18,9 @@ struct SpatialOrder {
 /// Points of equal code come in the order of their coordinates, so that points at the same place are next to each other
 /// and nothing depends on how many there are; those keep their given order.
 SpatialOrder morton_order(const Array<Vec3>& position, Job& job);
+
+/// The same along the curve through a box that holds all points: points that are in two sets come in the same order in
+/// both, where the box is the same.
+SpatialOrder morton_order(const Array<Vec3>& position, const Eigen::AlignedBox3d& box, Job& job);
 
 }  // namespace vcg_core::detail

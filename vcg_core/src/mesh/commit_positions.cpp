@@ -51,6 +51,7 @@ void commit(const MeshArrays& mesh, const Array<Vec3>& position, const RealRows&
     std::size_t moved = 0;
     for (std::size_t k = mesh.first_copy(i); k < mesh.first_copy(i + 1); ++k)
       moved += move_copy<Real>(row_of(rows.data, rows.stride, mesh.host_vertex[k]), from, to);
+    moved = std::min(moved, mesh.counted(i));
     if (moved == 0) continue;
     const double square = (position[i] - mesh.position[i]).squaredNorm();
     report.moved_vertices += moved;

@@ -27,16 +27,17 @@ MeshSummary summarize(const MeshView& view, const Progress& progress) {
   job.begin_stage(measuring, 1);
   const detail::MeshTopology& topology = mesh.topology;
   MeshSummary summary;
-  summary.vertices = mesh.host_vertex.size();
-  summary.faces = mesh.face.size();
+  summary.vertices = mesh.counted_vertices();
+  summary.faces = mesh.counted_faces();
   job.serial(mesh.size(), [&](std::size_t v) {
-    if (topology.star_begin[v] == topology.star_begin[v + 1]) summary.isolated_vertices += mesh.copies(v);
+    if (topology.star_begin[v] == topology.star_begin[v + 1]) summary.isolated_vertices += mesh.counted(v);
   });
   summary.border_vertices = topology.border_vertices;
   summary.non_manifold_vertices = topology.non_manifold_vertices;
   summary.coincident_vertices = mesh.coincident_vertices;
   summary.degenerate_faces = topology.degenerate_faces;
-  summary.average_edge_length = std::ldexp(topology.average_edge_length, -mesh.exponent);
+  summary.edges = topology.edges;
+  summary.average_edge_length = std::ldexp(topology.own_edge_length, -mesh.exponent);
   summary.volume = detail::volume_over_center(mesh, mesh.position, job);
   job.finish();
   return summary;

@@ -38,7 +38,7 @@ NearBorders find_near_borders(const MeshArrays& mesh, Job& job) {
   job.serial(mesh.size(), [&](std::size_t v) {
     if (mesh.topology.border[v]) border.push_back(static_cast<Index>(v));
   });
-  const double diagonal = bounding_box(mesh.position, job).diagonal().norm();
+  const double diagonal = box_of_whole(mesh, job).diagonal().norm();
   const double radius = std::min(part_of_diagonal * diagonal, part_of_edge * mesh.topology.average_edge_length);
   const PointGrid grid(mesh.position, border, radius, &job);
   PointGrid::Search search(grid);
@@ -57,7 +57,7 @@ NearBorders find_near_borders(const MeshArrays& mesh, Job& job) {
       is_near = true;
       largest_square = std::max(largest_square, square);
     });
-    if (is_near) found.vertices += mesh.copies(v);
+    if (is_near) found.vertices += mesh.counted(v);
     too_many = search.looks() / most_looks > border.size();
     if (search.looks() - looks_at_poll > looks_between_polls) {
       job.poll();

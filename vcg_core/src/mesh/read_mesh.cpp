@@ -43,6 +43,7 @@ Array<Index> read_vertices(const MeshView& view, RawMesh& raw, Job& job) {
   const bool may_be_selected = view.selected_vertices || view.selected_faces;
   if (may_be_selected) raw.selected.reserve(view.vertices);
   if (view.weights) raw.weight.reserve(view.vertices);
+  if (view.counted_vertices) raw.counted_copies.reserve(view.vertices);
   std::size_t not_finite = 0;
   std::size_t first_not_finite = view.vertices;
   double largest = 0;
@@ -60,6 +61,7 @@ Array<Index> read_vertices(const MeshView& view, RawMesh& raw, Job& job) {
     raw.host_vertex.push_back(static_cast<Index>(v));
     if (may_be_selected) raw.selected.push_back(is_set(view.selected_vertices, v));
     if (view.weights) raw.weight.push_back(weight_at(view, v));
+    if (view.counted_vertices) raw.counted_copies.push_back(is_set(view.counted_vertices, v));
   }
   if (not_finite > 0)
     throw InvalidMesh(std::to_string(not_finite) + (not_finite == 1 ? " vertex has" : " vertices have") +
@@ -89,6 +91,7 @@ void read_faces(const MeshView& view, const Array<Index>& index_of, RawMesh& raw
     if (is_set(view.selected_faces, f))
       for (const Index v : triangle) raw.selected[v] = 1;
     raw.face.push_back(triangle);
+    if (view.counted_faces) raw.counted_face.push_back(is_set(view.counted_faces, f));
   }
 }
 
@@ -105,6 +108,18 @@ void read_creases(const MeshView& view, const Array<Index>& index_of, RawMesh& r
     }
     raw.crease_ends.push_back(ends);
   });
+}
+
+/// @param exponent  RawMesh::exponent
+std::optional<WholeMesh> scaled(std::optional<WholeMesh> whole, int exponent) {
+  if (!whole) return whole;
+  const PowerOfTwo scale(exponent);
+  whole->average_edge_length = scale * whole->average_edge_length;
+  for (int k = 0; k < 3; ++k) {
+    whole->box_min[k] = scale * whole->box_min[k];
+    whole->box_max[k] = scale * whole->box_max[k];
+  }
+  return whole;
 }
 
 void require_faces(std::size_t faces) {
@@ -126,6 +141,7 @@ MeshArrays read_mesh(const MeshView& view, Job& job, ReadOptions options) {
     require_faces(raw.face.size());
     read_creases(view, index_of, raw, job);
   }
+  raw.whole = scaled(view.whole, raw.exponent);
   options.weld_distance = PowerOfTwo(raw.exponent) * options.weld_distance;
   return make_mesh_arrays(std::move(raw), job, options);
 }

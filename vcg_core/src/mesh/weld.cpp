@@ -132,10 +132,12 @@ Array<Index> reorder_vertices(RawMesh& mesh, const Array<Index>& order, const We
   permute(mesh.host_vertex, by_vertex, job);
   permute(mesh.selected, by_vertex, job);
   permute(mesh.weight, by_vertex, job);
+  permute(mesh.counted_copies, by_vertex, job);
   if (!joined) return by_vertex;
   merge_copies(mesh.position, mesh, job, [](const Vec3& first, const Vec3& /*other*/) { return first; });
   merge_copies(mesh.selected, mesh, job, [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
   merge_copies(mesh.weight, mesh, job, [](double a, double b) { return std::min(a, b); });
+  merge_copies(mesh.counted_copies, mesh, job, [](Index a, Index b) { return a + b; });
   return by_vertex;
 }
 

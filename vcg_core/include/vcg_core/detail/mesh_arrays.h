@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
+#include <optional>
 
 #include <Eigen/Core>
 
 #include <vcg_core/detail/array.h>
+#include <vcg_core/mesh/mesh_view.h>
 
 namespace vcg_core::detail {
 
@@ -26,6 +30,9 @@ struct RawMesh {
   Array<std::uint8_t> selected;             ///< whether a copy of the vertex, or a face of it, is selected; empty: none is
   Array<std::array<Index, 2>> crease_ends;  ///< the vertices of the caller's creases, until they are found as edges
   Array<double> weight;                     ///< how far the vertex follows the filter, from 0 to 1; empty: all 1
+  std::optional<WholeMesh> whole;           ///< as MeshView has it, but in units of the positions
+  Array<Index> counted_copies;              ///< how many of a vertex's copies count; empty: all do
+  Array<std::uint8_t> counted_face;         ///< whether a face counts; empty: all do
   std::size_t host_vertex_count = 0;        ///< how many vertices the caller has, deleted ones included
   /// The positions are the caller's times 2^exponent: so that no square over- or underflows, whatever the mesh's scale.
   /// A power of two, so that nothing is lost; 0 for meshes of a usual scale.
@@ -35,6 +42,17 @@ struct RawMesh {
   std::size_t first_copy(std::size_t v) const { return copy_begin.empty() ? v : copy_begin[v]; }
   std::size_t copies(std::size_t v) const { return first_copy(v + 1) - first_copy(v); }
   bool is_selected(std::size_t v) const { return !selected.empty() && selected[v] != 0; }
+  /// What a vertex adds to the figures of a report; copies() but in a piece of a larger mesh.
+  std::size_t counted(std::size_t v) const { return counted_copies.empty() ? copies(v) : counted_copies[v]; }
+  std::size_t counted_vertices() const {
+    return counted_copies.empty() ? host_vertex.size()
+                                  : std::accumulate(counted_copies.begin(), counted_copies.end(), std::size_t{0});
+  }
+  std::size_t counted_faces() const {
+    return counted_face.empty() ? face.size()
+                                : static_cast<std::size_t>(std::count(counted_face.begin(), counted_face.end(), 1));
+  }
+  bool counts_face(std::size_t f) const { return counted_face.empty() || counted_face[f] != 0; }
 };
 
 /// Faces around each vertex, and what they tell of the vertex. A corner is 3 * face + (0, 1 or 2).
@@ -43,8 +61,10 @@ struct MeshTopology {
   Array<Index> star;        ///< the corners at each vertex, ascending; faces with a repeated vertex left out
   Array<std::uint8_t> border;
 
-  double average_edge_length = 0;   ///< |e| over unique edges, in units of RawMesh::position
-  std::size_t border_vertices = 0;  ///< copies of vertices, as the next
+  double average_edge_length = 0;   ///< |e|, in units of RawMesh::position: over unique edges, or that of the whole
+  double own_edge_length = 0;       ///< the mean over the edges that count: those whose first vertex does
+  std::size_t edges = 0;            ///< that count
+  std::size_t border_vertices = 0;  ///< copies of vertices that count, as the next
   std::size_t non_manifold_vertices = 0;
   std::size_t degenerate_faces = 0;
 

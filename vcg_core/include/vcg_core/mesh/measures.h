@@ -23,7 +23,8 @@ struct MeshSummary {
   std::size_t non_manifold_vertices = 0;  ///< on an edge with three or more faces
   std::size_t coincident_vertices = 0;    ///< at exactly the place of another vertex
   std::size_t degenerate_faces = 0;       ///< with a repeated vertex or without area
-  double average_edge_length = 0;         ///< |e|: mean length of the unique edges
+  std::size_t edges = 0;                  ///< each once; of a piece those whose first end in the order of space counts
+  double average_edge_length = 0;         ///< |e|: mean length of those edges
   /// Signed volume enclosed by the faces, positive if they look outwards; for a mesh with borders, of the cone over it
   /// from the centre of its box.
   double volume = 0;

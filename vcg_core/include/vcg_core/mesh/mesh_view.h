@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 namespace vcg_core {
@@ -57,6 +58,14 @@ struct ColorRows {
   explicit operator bool() const { return data != nullptr; }
 };
 
+/// What a piece of a larger mesh is told of the whole, so that its vertices come out as they do in the whole. Lengths
+/// and coordinates in the mesh's unit.
+struct WholeMesh {
+  double box_min[3] = {0, 0, 0};  ///< of the smallest box around all vertices of the whole
+  double box_max[3] = {0, 0, 0};
+  double average_edge_length = 0;  ///< |e| of the whole; 0: not known, that of the piece is measured
+};
+
 /// A triangle mesh in the caller's memory, whichever library it belongs to: where its numbers are, no copy of them. It
 /// owns nothing and must not outlive them. `smooth` writes through it; all other functions only read, so that a view of
 /// constant memory, cast to look writable, is safe with them.
@@ -83,6 +92,14 @@ struct MeshView {
   /// look at them.
   IndexRows creases;
   std::size_t crease_count = 0;
+  /// For a piece of a larger mesh. The piece has to hold, besides the vertices of interest, all that these depend on:
+  /// for the paper's filter the vertices within (rho sigma_c + 0.5) |e| of them, and all faces of those. Farther out,
+  /// where the piece ends, results are worth nothing.
+  std::optional<WholeMesh> whole;
+  /// The vertices and faces that are of interest. Others move as well, unless their weight is 0, but do not count: not
+  /// in a report, a summary or a volume. Without these rows all count.
+  FlagRows counted_vertices;
+  FlagRows counted_faces;
   ColorRows colors;  ///< changed only where SmoothingParameters::smooth_color asks for it, as is the next
   RealRows scalars;  ///< one number a vertex, such as a quality; may be undefined (not a number)
 };

@@ -48,7 +48,7 @@ PassOutput LanePass::run(const PassInput& in) {
       const Index v = groups.member[groups.begin[g] + lane];
       if (!in.movable[v]) continue;
       out.position[v] -= in.normal[v] * (static_cast<double>(offset[lane]) * unit);
-      if (loosened) approximate += in.mesh.copies(v);
+      if (loosened) approximate += in.mesh.counted(v);
     }
   };
   in.job.parallel(patch_begin.size() - 1, 2, [&](Chunks& chunks) {
