@@ -1,0 +1,38 @@
+#include "cell_set.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tiles {
+namespace {
+
+/// Between the intervals of length 1 that begin at a and b.
+double gap(std::uint32_t a, std::uint32_t b) {
+  return std::max(0.0, std::abs(static_cast<double>(a) - static_cast<double>(b)) - 1);
+}
+
+double square(double x) { return x * x; }
+
+}  // namespace
+
+void CellSet::add_around(std::uint32_t cell, double distance) { add_around(grid_.place_of_cell(cell), distance); }
+
+void CellSet::add_around(const Point& p, double distance) { add_around(grid_.place_of(p), distance); }
+
+void CellSet::add_around(const std::array<std::uint32_t, 3>& place, double distance) {
+  const double limit = distance / grid_.side();
+  const double steps = std::min(std::ceil(limit) + 1, 1e6);
+  std::array<std::uint32_t, 3> begin{}, end{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    begin[k] = static_cast<std::uint32_t>(std::max(0.0, static_cast<double>(place[k]) - steps));
+    end[k] = static_cast<std::uint32_t>(std::min<double>(grid_.size()[k], static_cast<double>(place[k]) + steps + 1));
+  }
+  for (std::uint32_t z = begin[2]; z < end[2]; ++z)
+    for (std::uint32_t y = begin[1]; y < end[1]; ++y)
+      for (std::uint32_t x = begin[0]; x < end[0]; ++x)
+        if (square(gap(x, place[0])) + square(gap(y, place[1])) + square(gap(z, place[2])) <= square(limit))
+          add(grid_.cell_at({x, y, z}));
+}
+
+}  // namespace tiles

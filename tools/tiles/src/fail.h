@@ -1,0 +1,11 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace tiles {
+
+/// Throws mesh_tools::FileError, "FILE: what". (Its header brings vcglib along, which takes long to compile.)
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& what);
+
+}  // namespace tiles

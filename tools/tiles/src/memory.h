@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <vcg_core/method.h>
+
+namespace tiles {
+
+/// Bytes that a process needs to smooth a piece, about.
+/// @param tile_vertices  of the tile; its surroundings are added
+std::uint64_t memory_of_piece(std::size_t tile_vertices, std::size_t vertices, std::size_t faces,
+                              vcg_core::Method method);
+
+/// Bytes that making a plan needs, about, but for the pieces that it measures.
+std::uint64_t memory_of_plan(std::size_t vertices);
+
+/// Bytes on the disk of a plan with all its results.
+std::uint64_t disk_bytes(std::size_t vertices, std::size_t faces, std::size_t real_size);
+
+}  // namespace tiles

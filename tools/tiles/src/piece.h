@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <vcg_core/mesh/mesh_view.h>
+
+#include "cut.h"
+#include "large_mesh.h"
+#include "plan.h"
+
+namespace tiles {
+
+/// A tile and its surroundings as a mesh in memory. Vertices and faces are in the order of the file.
+struct Piece {
+  std::vector<float> floats;    ///< the positions, if the file has single precision
+  std::vector<double> doubles;  ///< otherwise
+  std::vector<Face> face;
+  std::vector<std::uint8_t> own_vertex;  ///< whether it belongs to the tile
+  std::vector<std::uint8_t> own_face;    ///< the tile has the first of its vertices in the order of the file
+  std::vector<float> weight;             ///< 0 for vertices that need not move; may be empty
+
+  std::size_t vertices() const { return own_vertex.size(); }
+};
+
+/// Reads pieces of a mesh that is cut.
+class PieceReader {
+ public:
+  /// @param plan  referred to; of it what describes the cut
+  PieceReader(const Plan& plan, const LargeMesh& mesh);
+
+  /// The vertices of a tile, all faces that touch them, and all vertices and faces that these depend on.
+  /// @param reach  how far their positions depend on others; less than 0: only the faces that touch the tile
+  Piece read(std::size_t tile, double reach) const;
+
+ private:
+  const Plan& plan_;
+  const LargeMesh& mesh_;
+  Cut cut_;
+};
+
+/// The piece as the core sees it. Refers to it.
+vcg_core::MeshView view_of(Piece& piece, const Plan& plan);
+
+/// Lets only the vertices of the tile move, and those next to them, whose new places the figures of its faces need.
+void hold_surroundings(Piece& piece);
+
+}  // namespace tiles

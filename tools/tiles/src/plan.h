@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <tiles/tiles.h>
+
+#include "cut.h"
+#include "grid.h"
+#include "large_mesh.h"
+
+namespace tiles {
+
+/// What plan.json holds.
+struct Plan {
+  std::filesystem::path folder;
+  std::uint64_t id = 0;  ///< checksum of all that follows
+
+  std::filesystem::path input;
+  std::uint64_t input_size = 0;
+  std::int64_t input_modified = 0;
+  std::uint64_t input_samples = 0;  ///< sample_checksum()
+
+  Job job;
+  std::size_t vertices = 0, faces = 0, real_size = 4;
+  Box box;
+  double average_edge_length = 0;
+  double reach = 0;  ///< how far a vertex's new position depends on others, in the mesh's unit
+  Grid grid;
+  std::vector<Cut::Node> cut;
+  std::vector<std::size_t> vertices_of;  ///< by tile
+
+  std::size_t tiles() const { return vertices_of.size(); }
+  std::filesystem::path bucket_path(std::size_t tile) const;
+  std::filesystem::path result_path(std::size_t tile) const;
+};
+
+/// The text of plan.json.
+std::string plan_text(Plan& plan);
+
+/// @throws mesh_tools::FileError
+Plan read_plan(const std::filesystem::path& folder);
+
+/// Opens the file that the plan is of.
+/// @throws mesh_tools::FileError: it has changed since
+LargeMesh open_input(const Plan& plan);
+
+}  // namespace tiles

@@ -1,0 +1,77 @@
+#include <cstring>
+#include <string>
+
+#include <tiles/tiles.h>
+
+#include <vcg_core/mesh/smoothing.h>
+
+#include "fail.h"
+#include "piece.h"
+#include "piece_result.h"
+#include "stage.h"
+
+namespace tiles {
+namespace {
+
+/// Of vertices that no face touches.
+vcg_core::SmoothingReport report_of_points(const Plan& plan, const Piece& piece) {
+  vcg_core::SmoothingReport report;
+  report.average_edge_length = plan.average_edge_length;
+  report.vertices = report.skipped_vertices.isolated = piece.vertices();
+  report.closed = true;
+  return report;
+}
+
+std::vector<char> own_positions(const Plan& plan, const Piece& piece, std::size_t tile) {
+  const std::size_t row = 3 * plan.real_size;
+  const char* const all = piece.floats.empty() ? reinterpret_cast<const char*>(piece.doubles.data())
+                                               : reinterpret_cast<const char*>(piece.floats.data());
+  std::vector<char> own(plan.vertices_of[tile] * row);
+  char* to = own.data();
+  for (std::size_t v = 0; v < piece.vertices(); ++v) {
+    if (!piece.own_vertex[v]) continue;
+    std::memcpy(to, all + v * row, row);
+    to += row;
+  }
+  return own;
+}
+
+std::string sentence(const Plan& plan, std::size_t tile, ResultState state) {
+  if (state == ResultState::cut_off) return plan.result_path(tile).string() + ": is cut off; it is made again";
+  if (state == ResultState::of_another_plan)
+    return plan.result_path(tile).string() + ": belongs to another plan; it is made again";
+  return {};
+}
+
+}  // namespace
+
+TileOutcome run_tile(const std::filesystem::path& folder, std::size_t tile, int threads,
+                     const vcg_core::Progress& progress) {
+  const Plan plan = read_plan(folder);
+  if (tile >= plan.tiles())
+    fail(folder, "has no piece " + std::to_string(tile) + "; allowed are 0 to " + std::to_string(plan.tiles() - 1));
+  const LargeMesh mesh = open_input(plan);
+  TileOutcome outcome;
+  const ResultState state = state_of_result(plan, tile);
+  outcome.was_done = state == ResultState::whole;
+  if (outcome.was_done) return outcome;
+  outcome.warning = sentence(plan, tile, state);
+
+  Stage stage(progress, "Smoothing", 0, 1);
+  Piece piece = PieceReader(plan, mesh).read(tile, plan.reach);
+  PieceResult result;
+  if (piece.face.empty()) {
+    result.report = report_of_points(plan, piece);
+  } else {
+    if (plan.job.parameters.iterations == 1) hold_surroundings(piece);
+    vcg_core::SmoothingParameters parameters = plan.job.parameters;
+    parameters.threads = threads;
+    result.report =
+        vcg_core::smooth(view_of(piece, plan), plan.job.method, parameters, stage.part(0.05, 0.98), plan.job.limits);
+  }
+  result.position = own_positions(plan, piece, tile);
+  write_result(plan, tile, result);
+  return outcome;
+}
+
+}  // namespace tiles
