@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <support/hand_made.h>
+#include <support/high_valence.h>
 
 namespace test_support {
 
@@ -160,6 +161,11 @@ void add_odd_connectivity(std::vector<BadMesh>& families) {
   families.back().large_support = true;
 }
 
+/// The families with vertices of more faces than the fast march has bits for.
+void add_high_valence(std::vector<BadMesh>& families) {
+  for (auto& [name, mesh] : high_valence_meshes(60)) families.push_back({"hub_" + name, std::move(mesh), {}, {}, ""});
+}
+
 /// The families whose faces have odd shapes.
 void add_odd_shapes(std::vector<BadMesh>& families) {
   const auto add = [&](const char* name, FlatMesh mesh) { families.push_back({name, std::move(mesh), {}, {}, ""}); };
@@ -251,6 +257,7 @@ void add_deleted(std::vector<BadMesh>& families) {
 std::vector<BadMesh> bad_meshes(double smallest, double largest) {
   std::vector<BadMesh> families;
   add_odd_connectivity(families);
+  add_high_valence(families);
   add_odd_shapes(families);
   add_odd_coordinates(families, smallest, largest);
   add_deleted(families);
