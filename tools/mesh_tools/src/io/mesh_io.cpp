@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <list>
 #include <system_error>
 #include <utility>
@@ -134,6 +135,11 @@ void write_together(const std::vector<TextFile>& files, const std::function<bool
 }
 
 void check_complete(const FlatMesh& mesh, const fs::path& path) {
+  // Corners are counted in 32 bits.
+  constexpr std::size_t most_faces = std::numeric_limits<std::uint32_t>::max() / 3;
+  if (mesh.face.size() > most_faces)
+    io::fail(path, "has " + std::to_string(mesh.face.size()) + " triangles; at most " + std::to_string(most_faces) +
+                       " can be read");
   for (std::size_t f = 0; f < mesh.face.size(); ++f)
     for (const std::uint32_t v : mesh.face[f])
       if (v >= mesh.vertices()) io::fail(path, "face " + std::to_string(f) + " refers to no vertex of the file");

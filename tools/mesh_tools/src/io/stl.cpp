@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -186,6 +187,10 @@ class VertexMerger {
 template <class Facets>
 void build(const Facets& facets, const std::filesystem::path& path, FlatMesh& mesh) {
   if (facets.size() == 0) fail(path, "holds no facets");
+  constexpr std::size_t most_facets = std::numeric_limits<std::uint32_t>::max() / 3;
+  if (facets.size() > most_facets)
+    fail(path,
+         "has " + std::to_string(facets.size()) + " facets; at most " + std::to_string(most_facets) + " can be read");
   VertexMerger merger(3 * facets.size(), mesh.position);
   mesh.face.reserve(facets.size());
   for (std::size_t i = 0; i < facets.size(); ++i) {

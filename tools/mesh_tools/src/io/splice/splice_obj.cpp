@@ -35,8 +35,9 @@ class ObjSplicer {
   ObjSplicer(const std::string& bytes, const SpliceInput& input, const std::filesystem::path& out)
       : bytes_(bytes), input_(input), mesh_(input.file.mesh), out_(out), text_(bytes) {}
 
+  /// Normals follow from all vertices and faces, so these are read before.
   std::string splice() {
-    read();
+    if (bytes_.find("vn") != bytes_.npos) read();
     if (!old_normals_.empty()) renew_normals();
     LineReader reader(bytes_, input_.path, Comments::outside_names);
     std::size_t vertex = 0, normal = 0;
@@ -48,11 +49,13 @@ class ObjSplicer {
       else if (words_[0] == "mtllib" && words_.size() > 1)
         put_material_names();
     }
+    check_same_count(input_.path, "vertices", mesh_.vertices(), vertex);
     return text_.finish();
   }
 
  private:
   Point3d point(const LineReader& reader) const {
+    if (words_.size() < 4) reader.fail("has fewer than 3 numbers");
     return {reader.number(words_[1]), reader.number(words_[2]), reader.number(words_[3])};
   }
 
@@ -60,9 +63,7 @@ class ObjSplicer {
   void read() {
     LineReader reader(bytes_, input_.path, Comments::outside_names);
     while (reader.next(words_)) {
-      const bool is_vertex = words_[0] == "v";
-      if ((is_vertex || words_[0] == "vn") && words_.size() < 4) reader.fail("has fewer than 3 numbers");
-      if (is_vertex)
+      if (words_[0] == "v")
         add_vertex(point(reader));
       else if (words_[0] == "vn")
         old_normals_.push_back(point(reader));
@@ -113,8 +114,9 @@ class ObjSplicer {
   std::string_view number_word(std::size_t first, int k) const { return words_[first + static_cast<std::size_t>(k)]; }
 
   void put_vertex(const LineReader& reader, std::size_t index) {
-    for (int k = 0; k < 3; ++k)
-      text_.replace_number(number_word(1, k), vertices_.before[index][k], mesh_.position.number(index, k));
+    const Point3d before = point(reader);
+    if (index >= mesh_.vertices()) return;  // refused later
+    for (int k = 0; k < 3; ++k) text_.replace_number(number_word(1, k), before[k], mesh_.position.number(index, k));
     if (input_.recolored && words_.size() >= 7 && !mesh_.vertex_color.empty())
       put_color(reader, mesh_.vertex_color[index]);
   }
