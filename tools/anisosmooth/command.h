@@ -32,6 +32,7 @@ std::function<void()> declare_noise(CLI::App& app);
 std::function<void()> declare_measure(CLI::App& app);
 std::function<void()> declare_compare(CLI::App& app);
 std::function<void()> declare_generate(CLI::App& app);
+std::function<void()> declare_tiles(CLI::App& app);
 
 /// One line each on stderr.
 void print_warnings(const std::vector<std::string>& warnings);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include <mesh_tools/large_torus.h>
 #include <mesh_tools/shapes.h>
 #include <mesh_tools/voxel_shapes.h>
 
@@ -15,6 +16,7 @@ namespace anisosmooth {
 namespace {
 
 constexpr long long most_vertices = 50'000'000;
+constexpr long long most_vertices_of_torus = 1'000'000'000;  // its faces are twice as many, and 32 bits have to do
 
 struct Options {
   std::string shape, output, truth;
@@ -22,6 +24,25 @@ struct Options {
   std::optional<double> slice_distance, tilt;
   bool double_precision = false, quiet = false;
 };
+
+/// The torus is the shape that can be of any size, as PLY.
+bool is_streamed(const Options& options) {
+  return options.shape == "torus" && mesh_tools::extension(options.output) == ".ply";
+}
+
+void print_done(const Options& options, std::size_t vertices, std::size_t faces) {
+  if (!options.quiet)
+    std::cout << options.shape << ": " << vertices << " vertices, " << faces << " faces, written to " << options.output
+              << "\n";
+}
+
+void stream_torus(const Options& options) {
+  const CooperativeInterrupt scope;
+  const mesh_tools::LargeTorus torus = mesh_tools::write_large_torus(
+      static_cast<std::size_t>(options.vertices), options.double_precision, options.output, interrupted);
+  result_is_in_place();
+  print_done(options, torus.vertices, torus.faces);
+}
 
 mesh_tools::MeshFile file_of(const Options& options, mesh_tools::Mesh mesh) {
   mesh_tools::MeshFile file;
@@ -34,9 +55,7 @@ mesh_tools::MeshFile file_of(const Options& options, mesh_tools::Mesh mesh) {
 void write_shape(const Options& options, mesh_tools::Mesh mesh) {
   const mesh_tools::MeshFile file = file_of(options, std::move(mesh));
   write_result(file, options.output);
-  if (!options.quiet)
-    std::cout << options.shape << ": " << file.mesh.vn << " vertices, " << file.mesh.fn << " faces, written to "
-              << options.output << "\n";
+  print_done(options, file.mesh.vert.size(), file.mesh.face.size());
 }
 
 void write_voxel_shape(const Options& options) {
@@ -52,13 +71,14 @@ void write_voxel_shape(const Options& options) {
 }
 
 void run(const Options& options) {
-  if (options.vertices < 1 || options.vertices > most_vertices)
-    throw BadValue("vertices is " + std::to_string(options.vertices) + "; allowed are 1 to " +
-                   std::to_string(most_vertices));
+  const long long most = is_streamed(options) ? most_vertices_of_torus : most_vertices;
+  if (options.vertices < 1 || options.vertices > most)
+    throw BadValue("vertices is " + std::to_string(options.vertices) + "; allowed are 1 to " + std::to_string(most));
   mesh_tools::check_writable(options.output);
   if (mesh_tools::is_voxel_shape(options.shape)) return write_voxel_shape(options);
   if (!options.truth.empty() || options.slice_distance || options.tilt)
     throw BadValue("truth, slice-distance and tilt are for voxel shapes only; " + options.shape + " is not one");
+  if (is_streamed(options)) return stream_torus(options);
   write_shape(options, mesh_tools::make_shape(options.shape, static_cast<std::size_t>(options.vertices)));
 }
 

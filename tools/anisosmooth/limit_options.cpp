@@ -7,12 +7,16 @@
 
 namespace anisosmooth {
 
-void declare_limits(CLI::App& app, LimitOptions& options) {
-  app.add_option("--weld-distance", options.limits.weld_distance,
+void declare_limits(CLI::App& app, vcg_core::SmoothingLimits& limits) {
+  app.add_option("--weld-distance", limits.weld_distance,
                  "Take vertices up to this far apart for one, in the mesh's unit; they move as one and keep their "
                  "distances; >= 0 [default 0: those at exactly the same place]");
-  app.add_option("--max-displacement", options.limits.max_displacement,
+  app.add_option("--max-displacement", limits.max_displacement,
                  "Move no vertex farther than this, in the mesh's unit; >= 0 [default: no limit]");
+}
+
+void declare_limits(CLI::App& app, LimitOptions& options) {
+  declare_limits(app, options.limits);
   app.add_option("--weights", options.weights,
                  "Vertex property of the PLY file IN that says how far each vertex follows the filter: from 0, it "
                  "stays, to 1. 'quality' is the vertices' quality, whatever its name in the file");

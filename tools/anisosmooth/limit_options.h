@@ -20,6 +20,8 @@ struct LimitOptions {
 };
 
 void declare_limits(CLI::App& app, LimitOptions& options);
+/// Without --weights.
+void declare_limits(CLI::App& app, vcg_core::SmoothingLimits& limits);
 
 /// One weight for each vertex of the file, or none. Throws mesh_tools::FileError.
 std::vector<double> weights_of(const LimitOptions& options, const mesh_tools::FlatFile& file,

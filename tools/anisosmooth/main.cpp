@@ -29,6 +29,7 @@ constexpr Command commands[] = {
     {"measure", "Compare a result with the truth", declare_measure},
     {"compare", "The six methods of the paper's Table 1 side by side: meshes, figures, pictures", declare_compare},
     {"generate", "Make a test shape", declare_generate},
+    {"tiles", "Smooth meshes of any size in pieces, on one machine or many", declare_tiles},
 };
 
 /// Allocates nothing: there may be no memory left.

@@ -127,6 +127,11 @@ bool ParameterOptions::given(const ParameterInfo& row) const {
   return number_.count(row.name) > 0 || word_.count(row.name) > 0;
 }
 
+bool ParameterOptions::given_as_no(const std::string& name) const {
+  const auto found = number_.find(name);
+  return found != number_.end() && found->second == 0;
+}
+
 SmoothingParameters ParameterOptions::applied_to(const MethodInfo& method) const {
   SmoothingParameters parameters = method.defaults;
   const auto take = [&](const ParameterInfo& row) {

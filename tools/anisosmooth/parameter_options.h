@@ -21,6 +21,9 @@ class ParameterOptions {
   /// Whether the user gave a value.
   bool given(const vcg_core::ParameterInfo& row) const;
 
+  /// Whether the user switched it off: --no-NAME.
+  bool given_as_no(const std::string& name) const;
+
   /// The method's own defaults, replaced by what the user gave.
   /// @throws BadValue for a word that names no choice, vcg_core::InvalidParameter for a value that is not allowed
   vcg_core::SmoothingParameters applied_to(const vcg_core::MethodInfo& method) const;

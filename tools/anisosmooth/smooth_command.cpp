@@ -9,6 +9,7 @@
 #include <durable_files/replace_file.h>
 #include <json_figures/json_figures.h>
 #include <mesh_tools/mesh_io.h>
+#include <tiles/tiles.h>
 #include <vcg_core/method.h>
 
 #include "command.h"
@@ -16,10 +17,12 @@
 #include "interrupt.h"
 #include "limit_options.h"
 #include "many_files.h"
+#include "memory_size.h"
 #include "mesh_output.h"
 #include "parameter_options.h"
 #include "progress_bar.h"
 #include "smooth_file.h"
+#include "smooth_summary.h"
 
 namespace anisosmooth {
 namespace {
@@ -35,6 +38,7 @@ struct Options {
   std::string method = "paper";
   ParameterOptions parameters;
   LimitOptions limits;
+  std::string memory;
   bool quiet = false;
 };
 
@@ -42,25 +46,6 @@ bool has_selection(const mesh_tools::FlatMesh& mesh) {
   const auto is_selected = [](std::int32_t flags) { return (flags & mesh_tools::selected_flag) != 0; };
   return std::any_of(mesh.vertex_flags.begin(), mesh.vertex_flags.end(), is_selected) ||
          std::any_of(mesh.face_flags.begin(), mesh.face_flags.end(), is_selected);
-}
-
-void print_summary(const std::string& output, const MethodInfo& method, const SmoothingReport& report) {
-  std::cout << method.title << "\n";
-  std::cout << "average edge length " << report.average_edge_length;
-  if (report.sigma_c_length > 0) std::cout << ", sigma_c " << report.sigma_c_length;
-  if (report.sigma_s_length > 0) std::cout << ", sigma_s " << report.sigma_s_length;
-  if (report.rho_length > 0) std::cout << ", rho " << report.rho_length;
-  if (report.estimated_noise) std::cout << ", estimated noise " << *report.estimated_noise;
-  std::cout << "\nmoved " << report.moved_vertices << " of " << report.vertices << " vertices";
-  if (report.fixed_vertices > 0) std::cout << ", " << report.fixed_vertices << " held";
-  if (report.skipped_vertices.total() > 0) std::cout << ", " << report.skipped_vertices.total() << " skipped";
-  std::cout << "; displacement rms " << report.rms_displacement << ", max " << report.max_displacement
-            << "\nvolume before " << report.volume_before << ", after " << report.volume_after;
-  if (report.flipped_faces > 0) std::cout << "; faces turned over " << report.flipped_faces;
-  if (report.crease_edges > 0) std::cout << "; edges kept as creases " << report.crease_edges;
-  if (report.bounded_vertices > 0) std::cout << "; vertices held back " << report.bounded_vertices;
-  if (report.self_intersections) std::cout << "; faces that cut through others " << *report.self_intersections;
-  std::cout << "\nwritten to " << output << "\n";
 }
 
 void check_report_path(const std::string& report, const std::vector<FilePair>& pairs) {
@@ -105,14 +90,44 @@ Smoothed smooth_input(const Options& options, const FilePair& pair, const Method
   result.report = smooth_file(result.file, method.method, parameters, progress, options.limits.limits,
                               std::move(weights), hidden.marks)
                       .report;
-  result.json = {{"method", method.name}, {"parameters", to_json(method, parameters)}};
-  add_limits(options.limits, result.json["parameters"]);
-  result.json.update(to_json(result.report));
+  result.json = smoothing_json(method, parameters, options.limits, result.report);
   return result;
+}
+
+/// Whether the mesh is to be smoothed in pieces, as it would take more memory than the user allows.
+bool is_too_large(const Options& options, const std::string& input, vcg_core::Method method) {
+  return !options.memory.empty() && tiles::memory_of_whole(input, method) > memory_size(options.memory);
+}
+
+tiles::Finished smooth_in_pieces(const Options& options, const FilePair& pair, const MethodInfo& method,
+                                 const SmoothingParameters& parameters, const vcg_core::Progress& progress,
+                                 const std::string& report) {
+  if (!options.limits.weights.empty()) throw BadValue("weights cannot be used for a mesh that is smoothed in pieces");
+  mesh_tools::check_writable(pair.output, pair.input);
+  const tiles::Job job{method.method, parameters, options.limits.limits, options.parameters.given_as_no("selected")};
+  const auto tell = [&](const std::string& sentence) {
+    if (!options.quiet) std::cerr << pair.input << ": is smoothed in pieces; " << sentence << "\n";
+  };
+  const CooperativeInterrupt scope;
+  return tiles::smooth_in_pieces(pair.input, pair.output, memory_size(options.memory), job, progress, tell,
+                                 report_file(report));
+}
+
+void run_one_in_pieces(const Options& options, const FilePair& pair, const MethodInfo& method,
+                       const SmoothingParameters& parameters) {
+  tiles::Finished finished;
+  {
+    ProgressBar bar(options.quiet);
+    finished = smooth_in_pieces(options, pair, method, parameters, bar.callback(), options.report);
+    result_is_in_place();
+  }
+  print_warnings(finished.report.warnings());
+  if (!options.quiet) print_summary(pair.output, method, finished.report);
 }
 
 void run_one(const Options& options, const FilePair& pair, const MethodInfo& method,
              const SmoothingParameters& parameters) {
+  if (is_too_large(options, pair.input, method.method)) return run_one_in_pieces(options, pair, method, parameters);
   Smoothed result;
   {
     ProgressBar bar(options.quiet);
@@ -130,10 +145,15 @@ void run(const Options& options) {
   const SmoothingParameters parameters = options.parameters.applied_to(method);
   print_warnings(options.parameters.without_effect(method));
   options.limits.limits.validate();
+  if (!options.memory.empty()) memory_size(options.memory);
   const std::vector<FilePair> pairs = options.files.pairs();
   check_report_path(options.report, pairs);
   if (!options.files.are_many()) return run_one(options, pairs[0], method, parameters);
   smooth_each(pairs, options.report, options.quiet, [&](const FilePair& pair, const vcg_core::Progress& progress) {
+    if (is_too_large(options, pair.input, method.method)) {
+      const tiles::Finished finished = smooth_in_pieces(options, pair, method, parameters, progress, {});
+      return smoothing_json(method, parameters, options.limits, finished.report);
+    }
     Smoothed result = smooth_input(options, pair, method, parameters, progress);
     write_moved_output(result.file, result.source, pair.output, parameters.smooth_color);
     return std::move(result.json);
@@ -154,6 +174,10 @@ std::function<void()> declare_smooth(CLI::App& app) {
   app.add_option("--method", options->method, method_help())->capture_default_str();
   options->parameters.declare(app);
   declare_limits(app, options->limits);
+  app.add_option(
+      "--memory", options->memory,
+      "Use no more memory than about this, such as 4G: a larger binary PLY or STL file is smoothed in pieces,"
+      " with about twice its size of disk space beside OUT meanwhile [default: no limit]");
   app.add_option("--report", options->report,
                  "Also write what was done to this file, as JSON; with --out-dir as a list");
   app.add_flag("--quiet", options->quiet, "Print warnings and errors only");
