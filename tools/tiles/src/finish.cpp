@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <tiles/tiles.h>
 
@@ -10,6 +11,8 @@
 
 #include "disk_space.h"
 #include "fail.h"
+#include "io/file_names.h"
+#include "io/ply_layout.h"
 #include "piece_result.h"
 #include "plan.h"
 #include "report_sum.h"
@@ -31,7 +34,7 @@ class NewPositions {
   }
 
   /// To be called for all vertices in their order.
-  Point next(const Point& before) { return result_[cut_.tile_of(plan_.grid.cell_of(before))].next(); }
+  NewVertex next(const Point& before) { return result_[cut_.tile_of(plan_.grid.cell_of(before))].next(); }
 
   vcg_core::SmoothingReport report;
 
@@ -66,11 +69,17 @@ void require_all_results(const Plan& plan, Stage stage) {
 /// The rows of vertices, or of facets, with the new positions.
 class RowWriter {
  public:
-  RowWriter(const LargeMesh& mesh, NewPositions& positions) : rows_(mesh.vertex_rows()), positions_(positions) {}
+  RowWriter(const LargeMesh& mesh, NewPositions& positions)
+      : rows_(mesh.vertex_rows()),
+        normals_(mesh.normal_size() > 0 ? &mesh.normal_rows() : nullptr),
+        positions_(positions) {}
 
   void put_vertex(char* row) const {
-    const Point now = positions_.next(position_in(row));
-    for (std::size_t k = 0; k < 3; ++k) rows_.put(row, k, now[k]);
+    const NewVertex now = positions_.next(position_in(row));
+    for (std::size_t k = 0; k < 3; ++k) {
+      rows_.put(row, k, now.position[k]);
+      if (normals_ != nullptr) normals_->put(row, k, now.normal[k]);
+    }
   }
 
   void put_facet(char* row) const {
@@ -80,7 +89,7 @@ class RowWriter {
     for (std::size_t c = 0; c < 3; ++c) {
       char* const at = row + c * corner_size;
       const Point before = position_in(at);
-      corner[c] = positions_.next(before);
+      corner[c] = positions_.next(before).position;
       moved |= corner[c] != before;
       for (std::size_t k = 0; k < 3; ++k) rows_.put(at, k, corner[c][k]);
     }
@@ -110,6 +119,7 @@ class RowWriter {
   }
 
   const RowPlace& rows_;
+  const RowPlace* normals_;
   NewPositions& positions_;
 };
 
@@ -123,9 +133,27 @@ void copy_bytes(const InputFile& from, std::uint64_t begin, std::uint64_t end, d
   }
 }
 
-void write_moved(const LargeMesh& mesh, NewPositions& positions, durable_files::PendingFile& to, Stage& stage) {
+/// The header, in which the names of textures mean the same files where `output` lies.
+std::string moved_header(const LargeMesh& mesh, const std::filesystem::path& output) {
+  std::string header(static_cast<std::size_t>(mesh.header_size()), '\0');
+  mesh.file().read(0, header.data(), header.size());
+  if (mesh.is_stl()) return header;
+  const std::string original = header;
+  const mesh_tools::io::PlyLayout layout = mesh_tools::io::parse_ply_header(original, mesh.file().path());
+  const std::vector<std::string_view> names = mesh_tools::io::texture_names(layout);
+  const std::filesystem::path from = mesh.file().path().parent_path();
+  const std::filesystem::path to = std::filesystem::absolute(output).parent_path();
+  for (auto name = names.rbegin(); name != names.rend(); ++name)
+    header.replace(static_cast<std::size_t>(name->data() - original.data()), name->size(),
+                   mesh_tools::io::moved_file_name(*name, from, to));
+  return header;
+}
+
+void write_moved(const LargeMesh& mesh, const std::filesystem::path& output, NewPositions& positions,
+                 durable_files::PendingFile& to, Stage& stage) {
   const RowPlace& rows = mesh.vertex_rows();
-  copy_bytes(mesh.file(), 0, rows.begin, to, stage);
+  to.write(moved_header(mesh, output));
+  copy_bytes(mesh.file(), mesh.header_size(), rows.begin, to, stage);
   const std::size_t count = mesh.is_stl() ? mesh.faces() : mesh.vertices();
   const std::size_t at_once = std::max<std::size_t>(1, SequentialReader::usual_buffer / rows.stride);
   const RowWriter writer(mesh, positions);
@@ -148,19 +176,23 @@ void write_moved(const LargeMesh& mesh, NewPositions& positions, durable_files::
 
 }  // namespace
 
+void require_same_format(const std::filesystem::path& input, const std::filesystem::path& output) {
+  if (output.extension() != input.extension())
+    fail(output, "cannot be written: its pieces are those of a " + input.extension().string() + " file");
+}
+
 Finished finish(const std::filesystem::path& folder, const std::filesystem::path& output,
                 const vcg_core::Progress& progress, const ReportFile& with) {
   const Plan plan = read_plan(folder);
   const LargeMesh mesh = open_input(plan);
-  if (output.extension() != plan.input.extension())
-    fail(output, "cannot be written: its pieces are those of a " + plan.input.extension().string() + " file");
+  require_same_format(plan.input, output);
   require_all_results(plan, Stage(progress, "Looking at the pieces", 0, 0.1));
   require_space(output, output.parent_path(), mesh.file().size());
   NewPositions positions(plan);
   Finished finished{positions.report, plan.job};
   Stage stage(progress, "Writing", 0.1, 1);
   durable_files::PendingFile file(output);
-  write_moved(mesh, positions, file, stage);
+  write_moved(mesh, output, positions, file, stage);
   file.complete();
   std::optional<durable_files::PendingFile> report;
   if (with) {

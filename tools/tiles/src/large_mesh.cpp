@@ -26,15 +26,10 @@ std::string head_of(const InputFile& file) {
   return head;
 }
 
-/// Normals would have to follow the vertices.
-void require_no_normals(const PlyLayout::Element& element, const std::filesystem::path& path) {
-  using mesh_tools::io::Roles;
-  const bool has_normals = element.name == "vertex"
-                               ? Roles(element, mesh_tools::io::known_of_vertex).has_normal()
-                               : element.name == "face" && Roles(element, mesh_tools::io::known_of_face).has_normal();
-  if (has_normals)
-    fail(path, "has normals of its " + (element.name == "vertex" ? std::string("vertices") : "faces") +
-                   ", which would no longer fit; such files cannot be cut into pieces");
+/// They would have to follow the vertices.
+void require_no_face_normals(const PlyLayout::Element& element, const std::filesystem::path& path) {
+  if (element.name == "face" && mesh_tools::io::Roles(element, mesh_tools::io::known_of_face).has_normal())
+    fail(path, "has normals of its faces, which would no longer fit; such files cannot be cut into pieces");
 }
 
 RowPlace facet_place() {
@@ -72,11 +67,15 @@ void LargeMesh::open_ply() {
   bool has_vertices = false;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const PlyRows& rows = elements_[e];
-    require_no_normals(rows.element, file_->path());
+    require_no_face_normals(rows.element, file_->path());
     if (rows.element.name == "vertex") {
       has_vertices = true;
-      vertex_ = vertex_place(rows, begin, file_->path());
+      vertex_ = vertex_place(rows, {"x", "y", "z"}, begin, file_->path());
       vertices_ = rows.element.count;
+      if (mesh_tools::io::Roles(rows.element, mesh_tools::io::known_of_vertex).has_normal()) {
+        normal_ = vertex_place(rows, {"nx", "ny", "nz"}, begin, file_->path());
+        normal_size_ = normal_.in_double[0] || normal_.in_double[1] || normal_.in_double[2] ? 8 : 4;
+      }
       in_floats_ = !(vertex_.in_double[0] || vertex_.in_double[1] || vertex_.in_double[2]);
     }
     if (rows.element.name == "face") {
@@ -130,19 +129,17 @@ bool LargeMesh::has_selection() const {
 }
 
 Point LargeMesh::position(std::size_t vertex) const {
+  return is_stl_ ? read_point(vertex_, vertex / 3, vertex % 3 * corner_size) : read_point(vertex_, vertex, 0);
+}
+
+Point LargeMesh::normal(std::size_t vertex) const { return read_point(normal_, vertex, 0); }
+
+/// @param shift  of the three numbers in their row
+Point LargeMesh::read_point(const RowPlace& rows, std::size_t index, std::size_t shift) const {
   Point p;
-  char row[256];
-  std::vector<char> long_row;
-  char* bytes = row;
-  const std::size_t size = vertex_.stride;
-  if (size > sizeof row) {
-    long_row.resize(size);
-    bytes = long_row.data();
-  }
-  const std::size_t index = is_stl_ ? vertex / 3 : vertex;
-  file_->read(vertex_.begin + index * size, bytes, size);
-  if (is_stl_) bytes += vertex % 3 * corner_size;
-  for (std::size_t k = 0; k < 3; ++k) p[k] = vertex_.coordinate(bytes, k);
+  std::vector<char> row(rows.stride);
+  file_->read(rows.begin + index * rows.stride, row.data(), row.size());
+  for (std::size_t k = 0; k < 3; ++k) p[k] = rows.coordinate(row.data() + shift, k);
   return p;
 }
 

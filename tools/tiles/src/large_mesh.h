@@ -34,6 +34,11 @@ class LargeMesh {
 
   Point position(std::size_t vertex) const;
 
+  /// Bytes of a number of the vertices' normals; 0: they have none.
+  std::size_t normal_size() const { return normal_size_; }
+  const RowPlace& normal_rows() const { return normal_; }
+  Point normal(std::size_t vertex) const;
+
   /// Whether a vertex or a face is marked as selected. Reads through those that can be.
   bool has_selection() const;
 
@@ -47,6 +52,10 @@ class LargeMesh {
   bool is_stl_ = false, in_floats_ = true;
   std::size_t vertices_ = 0, faces_ = 0;
   std::uint64_t header_size_ = 0;
+  Point read_point(const RowPlace& rows, std::size_t index, std::size_t shift) const;
+
+  RowPlace normal_;
+  std::size_t normal_size_ = 0;
   RowPlace vertex_;                ///< of PLY's vertices, or of STL's facets
   std::vector<PlyRows> elements_;  ///< of PLY
   std::size_t face_element_ = 0;

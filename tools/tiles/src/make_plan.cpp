@@ -204,9 +204,10 @@ void make_plan(const std::filesystem::path& input, const std::filesystem::path& 
   plan.vertices = mesh.vertices();
   plan.faces = mesh.faces();
   plan.real_size = mesh.real_size();
+  plan.normal_size = mesh.normal_size();
 
   ScratchFolder scratch(folder);
-  const std::uint64_t needed = disk_bytes(plan.vertices, plan.faces, plan.real_size);
+  const std::uint64_t needed = disk_bytes(plan.vertices, plan.faces, plan.real_size, plan.normal_size);
   if (tell)
     tell("needs " + in_bytes(needed) + " of disk space in " + folder.string() + " until the pieces are put together");
   require_space(folder, scratch.path(), needed);
@@ -245,7 +246,7 @@ PlanSummary plan_summary(const std::filesystem::path& folder) {
   summary.average_edge_length = plan.average_edge_length;
   summary.halo = plan.reach;
   summary.largest_tile = *std::max_element(plan.vertices_of.begin(), plan.vertices_of.end());
-  summary.disk_bytes = disk_bytes(plan.vertices, plan.faces, plan.real_size);
+  summary.disk_bytes = disk_bytes(plan.vertices, plan.faces, plan.real_size, plan.normal_size);
   summary.memory_bytes = memory_of_piece(summary.largest_tile, plan.vertices, plan.faces, plan.job.method);
   return summary;
 }

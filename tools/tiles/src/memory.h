@@ -16,6 +16,7 @@ std::uint64_t memory_of_piece(std::size_t tile_vertices, std::size_t vertices, s
 std::uint64_t memory_of_plan(std::size_t vertices);
 
 /// Bytes on the disk of a plan with all its results.
-std::uint64_t disk_bytes(std::size_t vertices, std::size_t faces, std::size_t real_size);
+/// @param normal_size  bytes of a number of normals, or 0
+std::uint64_t disk_bytes(std::size_t vertices, std::size_t faces, std::size_t real_size, std::size_t normal_size);
 
 }  // namespace tiles

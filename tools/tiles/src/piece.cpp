@@ -41,6 +41,7 @@ PieceReader::PieceReader(const Plan& plan, const LargeMesh& mesh)
     : plan_(plan), mesh_(mesh), cut_(plan.grid, plan.cut) {}
 
 Piece PieceReader::read(std::size_t tile, double reach) const {
+  Piece piece;
   Found found;
   IndexSet present(plan_.vertices);
   CellSet cells(plan_.grid);
@@ -64,10 +65,12 @@ Piece PieceReader::read(std::size_t tile, double reach) const {
         read_cells(BucketFile(plan_.bucket_path(other), plan_.real_size), cells, found.part);
     for (std::size_t i = found.own_end; i < found.part.vertex.size(); ++i) present.add(found.part.vertex[i]);
   }
+  piece.own_index.assign(found.part.vertex.begin(),
+                         found.part.vertex.begin() + static_cast<std::ptrdiff_t>(found.own_end));
+  std::sort(piece.own_index.begin(), piece.own_index.end());
   const std::vector<std::uint32_t> rim = other_vertices(found.part.face, present);
   for (const std::uint32_t v : rim) present.add(v);
 
-  Piece piece;
   const std::size_t count = present.count();
   piece.own_vertex.resize(count);
   const bool in_floats = plan_.real_size == sizeof(float);
@@ -130,24 +133,18 @@ vcg_core::MeshView view_of(Piece& piece, const Plan& plan) {
 void hold_surroundings(Piece& piece) {
   piece.weight.resize(piece.vertices());
   std::copy(piece.own_vertex.begin(), piece.own_vertex.end(), piece.weight.begin());
-  const auto place_of = [&](std::size_t v) {
-    Point p;
-    for (std::size_t k = 0; k < 3; ++k)
-      p[k] = piece.floats.empty() ? piece.doubles[3 * v + k] : static_cast<double>(piece.floats[3 * v + k]);
-    return p;
-  };
   std::vector<Point> ring;
   for (const Face& face : piece.face) {
     const auto is_own = [&](std::uint32_t v) { return piece.own_vertex[v] != 0; };
     if (!std::any_of(face.begin(), face.end(), is_own)) continue;
     for (const std::uint32_t v : face)
-      if (!is_own(v)) ring.push_back(place_of(v));
+      if (!is_own(v)) ring.push_back(piece.position(v));
   }
   // By place: of vertices at one place the smallest weight counts.
   std::sort(ring.begin(), ring.end());
   ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
   for (std::size_t v = 0; v < piece.vertices(); ++v)
-    if (piece.weight[v] == 0 && std::binary_search(ring.begin(), ring.end(), place_of(v))) piece.weight[v] = 1;
+    if (piece.weight[v] == 0 && std::binary_search(ring.begin(), ring.end(), piece.position(v))) piece.weight[v] = 1;
 }
 
 }  // namespace tiles

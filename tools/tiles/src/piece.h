@@ -19,9 +19,19 @@ struct Piece {
   std::vector<Face> face;
   std::vector<std::uint8_t> own_vertex;  ///< whether it belongs to the tile
   std::vector<std::uint8_t> own_face;    ///< the tile has the first of its vertices in the order of the file
+  std::vector<std::uint32_t> own_index;  ///< of the tile's vertices, as the file counts them
   std::vector<float> weight;             ///< 0 for vertices that need not move; may be empty
 
   std::size_t vertices() const { return own_vertex.size(); }
+  Point position(std::size_t v) const {
+    Point p;
+    for (std::size_t k = 0; k < 3; ++k)
+      p[k] = floats.empty() ? doubles[3 * v + k] : static_cast<double>(floats[3 * v + k]);
+    return p;
+  }
+  std::vector<double> positions() const {
+    return floats.empty() ? doubles : std::vector<double>(floats.begin(), floats.end());
+  }
 };
 
 /// Reads pieces of a mesh that is cut.

@@ -30,6 +30,17 @@ std::string report_text(const vcg_core::SmoothingReport& report) {
   return text;
 }
 
+double number_at(const char* raw, std::size_t size) {
+  double wide = 0;
+  float narrow = 0;
+  if (size == sizeof wide) {
+    std::memcpy(&wide, raw, sizeof wide);
+    return wide;
+  }
+  std::memcpy(&narrow, raw, sizeof narrow);
+  return static_cast<double>(narrow);
+}
+
 Header read_header(const InputFile& file) {
   Header header{};
   file.read(0, &header, sizeof header);
@@ -42,11 +53,11 @@ void write_result(const Plan& plan, std::size_t tile, const PieceResult& result)
   const std::string report = report_text(result.report);
   Checksum sum;
   sum.add(report);
-  sum.add(result.position.data(), result.position.size());
+  sum.add(result.rows.data(), result.rows.size());
   durable_files::PendingFile file(plan.result_path(tile));
-  file.write(bytes_of({magic, plan.id, tile, report.size(), result.position.size(), sum.value()}));
+  file.write(bytes_of({magic, plan.id, tile, report.size(), result.rows.size(), sum.value()}));
   file.write(report);
-  file.write({result.position.data(), result.position.size()});
+  file.write({result.rows.data(), result.rows.size()});
   file.complete();
   file.put_in_place();
 }
@@ -58,7 +69,7 @@ ResultState state_of_result(const Plan& plan, std::size_t tile) {
   if (file.size() < sizeof(Header)) return ResultState::cut_off;
   const Header header = read_header(file);
   if (header.magic_number != magic || header.plan != plan.id || header.tile != tile ||
-      header.position_bytes != plan.vertices_of[tile] * 3 * plan.real_size)
+      header.position_bytes != plan.vertices_of[tile] * plan.result_row())
     return ResultState::of_another_plan;
   if (file.size() != sizeof header + header.report_bytes + header.position_bytes) return ResultState::cut_off;
   Checksum sum;
@@ -74,7 +85,8 @@ ResultState state_of_result(const Plan& plan, std::size_t tile) {
 ResultReader::ResultReader(const Plan& plan, std::size_t tile, std::size_t buffer)
     : path_(plan.result_path(tile)),
       real_size_(plan.real_size),
-      buffer_size_(std::max<std::size_t>(1, buffer / (3 * plan.real_size)) * 3 * plan.real_size) {
+      normal_size_(plan.normal_size),
+      buffer_size_(std::max<std::size_t>(1, buffer / plan.result_row()) * plan.result_row()) {
   const InputFile file(path_);
   const Header header = read_header(file);
   std::string text(static_cast<std::size_t>(header.report_bytes), ' ');
@@ -84,26 +96,24 @@ ResultReader::ResultReader(const Plan& plan, std::size_t tile, std::size_t buffe
   end_ = at_ + header.position_bytes;
 }
 
-Point ResultReader::next() {
+NewVertex ResultReader::next() {
   if (used_ == buffer_.size()) {
-    if (at_ == end_) fail(path_, "holds fewer positions than its tile has vertices");
+    if (at_ == end_) fail(path_, "holds fewer vertices than its tile has");
     buffer_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(buffer_size_, end_ - at_)));
     InputFile(path_).read(at_, buffer_.data(), buffer_.size());
     at_ += buffer_.size();
     used_ = 0;
   }
-  Point p;
-  for (double& x : p) {
-    if (real_size_ == sizeof(float)) {
-      float narrow = 0;
-      std::memcpy(&narrow, buffer_.data() + used_, sizeof narrow);
-      x = static_cast<double>(narrow);
-    } else {
-      std::memcpy(&x, buffer_.data() + used_, sizeof x);
+  NewVertex vertex{};
+  const auto take = [&](Point& p, std::size_t size) {
+    for (double& x : p) {
+      x = number_at(buffer_.data() + used_, size);
+      used_ += size;
     }
-    used_ += real_size_;
-  }
-  return p;
+  };
+  take(vertex.position, real_size_);
+  if (normal_size_ > 0) take(vertex.normal, normal_size_);
+  return vertex;
 }
 
 }  // namespace tiles

@@ -74,6 +74,7 @@ std::string plan_text(Plan& plan) {
       {"vertices", plan.vertices},
       {"faces", plan.faces},
       {"real_size", plan.real_size},
+      {"normal_size", plan.normal_size},
       {"box_min", plan.box.min},
       {"box_max", plan.box.max},
       {"average_edge_length", plan.average_edge_length},
@@ -108,6 +109,7 @@ Plan read_plan(const std::filesystem::path& folder) {
     plan.vertices = json.at("vertices");
     plan.faces = json.at("faces");
     plan.real_size = json.at("real_size");
+    plan.normal_size = json.at("normal_size");
     plan.box.min = json.at("box_min");
     plan.box.max = json.at("box_max");
     plan.average_edge_length = json.at("average_edge_length");

@@ -127,13 +127,13 @@ std::int64_t PlyRows::read_number(SequentialReader& reader, std::string_view nam
   return number;
 }
 
-RowPlace vertex_place(const PlyRows& rows, std::uint64_t begin, const std::filesystem::path& path) {
+RowPlace vertex_place(const PlyRows& rows, const std::array<const char*, 3>& names, std::uint64_t begin,
+                      const std::filesystem::path& path) {
   RowPlace place;
   place.begin = begin;
   place.stride = rows.stride;
   place.swapped = rows.swapped;
   if (!rows.of_one_size) fail(path, "its vertices have lists; such files cannot be cut into pieces");
-  constexpr const char* names[] = {"x", "y", "z"};
   for (std::size_t k = 0; k < 3; ++k) {
     const PlyLayout::Property* const found = rows.element.find(names[k]);
     if (found == nullptr) fail(path, std::string("vertex property '") + names[k] + "' must be there and be a number");

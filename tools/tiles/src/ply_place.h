@@ -42,8 +42,9 @@ struct PlyRows {
   std::int64_t read_number(SequentialReader& reader, std::string_view name) const;
 };
 
-/// Where vertices are.
-/// @throws mesh_tools::FileError: coordinates missing, whole numbers, or among lists
-RowPlace vertex_place(const PlyRows& rows, std::uint64_t begin, const std::filesystem::path& path);
+/// Where three numbers of the vertices are.
+/// @throws mesh_tools::FileError: they are missing, whole numbers, or among lists
+RowPlace vertex_place(const PlyRows& rows, const std::array<const char*, 3>& names, std::uint64_t begin,
+                      const std::filesystem::path& path);
 
 }  // namespace tiles

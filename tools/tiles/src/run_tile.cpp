@@ -1,4 +1,3 @@
-#include <cstring>
 #include <string>
 
 #include <tiles/tiles.h>
@@ -7,6 +6,7 @@
 
 #include "fail.h"
 #include "piece.h"
+#include "piece_normals.h"
 #include "piece_result.h"
 #include "stage.h"
 
@@ -17,23 +17,32 @@ namespace {
 vcg_core::SmoothingReport report_of_points(const Plan& plan, const Piece& piece) {
   vcg_core::SmoothingReport report;
   report.average_edge_length = plan.average_edge_length;
-  report.vertices = report.skipped_vertices.isolated = piece.vertices();
+  report.vertices = report.skipped_vertices.isolated = piece.own_index.size();
   report.closed = true;
   return report;
 }
 
-std::vector<char> own_positions(const Plan& plan, const Piece& piece, std::size_t tile) {
-  const std::size_t row = 3 * plan.real_size;
-  const char* const all = piece.floats.empty() ? reinterpret_cast<const char*>(piece.doubles.data())
-                                               : reinterpret_cast<const char*>(piece.floats.data());
-  std::vector<char> own(plan.vertices_of[tile] * row);
-  char* to = own.data();
+void append(const Point& p, std::size_t size, std::vector<char>& bytes) {
+  for (const double& wide : p) {
+    const auto narrow = static_cast<float>(wide);
+    const char* const raw =
+        size == sizeof narrow ? reinterpret_cast<const char*>(&narrow) : reinterpret_cast<const char*>(&wide);
+    bytes.insert(bytes.end(), raw, raw + size);
+  }
+}
+
+/// @param normal  of the tile's vertices; none if the file has none
+std::vector<char> own_rows(const Plan& plan, const Piece& piece, const std::vector<Point>& normal) {
+  std::vector<char> rows;
+  rows.reserve(piece.own_index.size() * plan.result_row());
+  std::size_t own = 0;
   for (std::size_t v = 0; v < piece.vertices(); ++v) {
     if (!piece.own_vertex[v]) continue;
-    std::memcpy(to, all + v * row, row);
-    to += row;
+    append(piece.position(v), plan.real_size, rows);
+    if (plan.normal_size > 0) append(normal[own], plan.normal_size, rows);
+    ++own;
   }
-  return own;
+  return rows;
 }
 
 std::string sentence(const Plan& plan, std::size_t tile, ResultState state) {
@@ -59,6 +68,7 @@ TileOutcome run_tile(const std::filesystem::path& folder, std::size_t tile, int 
 
   Stage stage(progress, "Smoothing", 0, 1);
   Piece piece = PieceReader(plan, mesh).read(tile, plan.reach);
+  const std::vector<double> before = plan.normal_size > 0 ? piece.positions() : std::vector<double>();
   PieceResult result;
   if (piece.face.empty()) {
     result.report = report_of_points(plan, piece);
@@ -69,7 +79,9 @@ TileOutcome run_tile(const std::filesystem::path& folder, std::size_t tile, int 
     result.report =
         vcg_core::smooth(view_of(piece, plan), plan.job.method, parameters, stage.part(0.05, 0.98), plan.job.limits);
   }
-  result.position = own_positions(plan, piece, tile);
+  std::vector<Point> normal;
+  if (plan.normal_size > 0) normal = moved_normals(mesh, before, piece);
+  result.rows = own_rows(plan, piece, normal);
   write_result(plan, tile, result);
   return outcome;
 }

@@ -2,6 +2,7 @@
 
 #include <tiles/tiles.h>
 
+#include "plan.h"
 #include "scratch_folder.h"
 #include "stage.h"
 
@@ -10,6 +11,7 @@ namespace tiles {
 Finished smooth_in_pieces(const std::filesystem::path& input, const std::filesystem::path& output, std::uint64_t memory,
                           const Job& job, const vcg_core::Progress& progress,
                           const std::function<void(const std::string&)>& tell, const ReportFile& with) {
+  require_same_format(input, output);
   const std::size_t tile_vertices = tile_vertices_within(memory, input, job.method);
   const std::filesystem::path beside = std::filesystem::absolute(output);
   const ScratchFolder scratch(beside.parent_path() / (beside.filename().string() + ".plan"));
