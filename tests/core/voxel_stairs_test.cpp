@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -104,19 +105,31 @@ TEST(VoxelStairs, TellBetweenWhichVoxelsEachVertexIs) {
   }
 }
 
-/// The variance by formula against that of the vertices' true distances from the sphere.
-TEST(VoxelStairs, HaveTheVarianceOfTheirVertices) {
-  for (const double slice_distance : {1.0, 2.0, 4.0}) {
-    const auto shape = mesh_tools::make_voxel_shape("voxel_sphere", 40000, {slice_distance, 0});
-    const Found found = found_on(test_support::flat(shape.surface));
-    ASSERT_TRUE(found.stairs);
-    double truth = 0, formula = 0;
-    for (const Vec3& p : found.mesh.position) {
-      truth += (p.norm() - 1) * (p.norm() - 1);
-      formula += found.stairs->variance(p.normalized());
+double root_mean_square(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+/// Against the true distances of the vertices from the shape.
+TEST(VoxelStairs, TellHowFarVerticesAreFromTheShape) {
+  for (const char* name : {"voxel_sphere", "voxel_torus", "voxel_cad_part"})
+    for (const double slice_distance : {1.0, 3.0, 6.0}) {
+      const auto shape = mesh_tools::make_voxel_shape(name, 8000, {slice_distance, 15});
+      Job job{no_progress, 1};
+      const MeshArrays mesh = test_support::arrays_of(test_support::flat(shape.surface), job);
+      FaceGeometry faces;
+      faces.measure(mesh, mesh.position, job);
+      const std::optional<VoxelStairs> stairs = find_voxel_stairs(mesh, faces, job);
+      ASSERT_TRUE(stairs);
+      const Array<double> found = deviations_by_stairs(mesh, *stairs, faces, job);
+      std::vector<double> truth;
+      for (int v = 0; v < shape.surface.vn; ++v)
+        truth.push_back((shape.surface.vert[v].cP() - shape.truth.vert[v].cP()).Norm());
+      const double expected = std::ldexp(root_mean_square(truth), mesh.exponent);
+      EXPECT_NEAR(root_mean_square({found.begin(), found.end()}), expected, 0.2 * expected)
+          << name << " " << slice_distance;
     }
-    EXPECT_NEAR(formula / truth, 1, 0.05) << slice_distance;
-  }
 }
 
 TEST(VoxelStairs, AreNotFoundOnCleanShapes) {

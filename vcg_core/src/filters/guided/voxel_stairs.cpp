@@ -10,6 +10,8 @@
 
 #include <vcg_core/detail/job.h>
 
+#include "ring_mean.h"
+
 namespace vcg_core::detail {
 
 namespace {
@@ -39,6 +41,10 @@ constexpr double share_on_grid = 0.995;
 constexpr double least_levels = 3;
 /// More levels than these are no grid that a volume could have.
 constexpr double most_levels = 1 << 20;
+
+/// Rings over which normals are averaged, for each time that the coarsest step is as long as the finest; up to so many.
+constexpr double rings_a_step = 4;
+constexpr double most_steps = 6;
 
 struct Direction {
   Vec3 normal;
@@ -176,16 +182,6 @@ std::optional<VoxelStairs> stairs_along(const MeshArrays& mesh, const Axes& axes
 
 }  // namespace
 
-double VoxelStairs::variance(const Vec3& normal) const {
-  double weights = 0, sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double reach = std::abs(normal.dot(axis[k])) * step[k];
-    weights += reach;
-    sum += reach * reach * reach / 12;
-  }
-  return weights > 0 ? sum / weights : 0;
-}
-
 std::optional<VoxelStairs> find_voxel_stairs(const MeshArrays& mesh, const FaceGeometry& faces, Job& job) {
   const std::vector<Direction> directions = find_directions(faces);
   if (directions.empty() || mesh.size() < least_vertices) return std::nullopt;
@@ -201,6 +197,29 @@ std::optional<VoxelStairs> find_voxel_stairs(const MeshArrays& mesh, const FaceG
       if (std::optional<VoxelStairs> stairs = stairs_along(mesh, in_order(axes), job)) return stairs;
     }
   return std::nullopt;
+}
+
+Array<double> deviations_by_stairs(const MeshArrays& mesh, const VoxelStairs& stairs, const FaceGeometry& faces,
+                                   Job& job) {
+  Array<Vec3> normal(mesh.size());
+  job.serial(mesh.size(), [&](std::size_t v) {
+    normal[v].setZero();
+    for (Index s = mesh.topology.star_begin[v]; s < mesh.topology.star_begin[v + 1]; ++s) {
+      const Index f = mesh.topology.star[s] / 3;
+      normal[v] += faces.normal[f] * faces.area[f];
+    }
+  });
+  const auto [finest, widest] = std::minmax_element(stairs.step.begin(), stairs.step.end());
+  const int rings = static_cast<int>(std::ceil(rings_a_step * std::min(*widest / *finest, most_steps)));
+  normal = low_pass(mesh, std::move(normal), rings, job);
+  Array<double> deviation(mesh.size());
+  job.serial(mesh.size(), [&](std::size_t v) {
+    const std::size_t k = stairs.pair[v];
+    const double length = normal[v].norm();
+    deviation[v] =
+        k < 3 && length > 0 ? std::abs(normal[v].dot(stairs.axis[k])) / length * stairs.step[k] / std::sqrt(12.0) : 0;
+  });
+  return deviation;
 }
 
 }  // namespace vcg_core::detail

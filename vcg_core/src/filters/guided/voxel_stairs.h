@@ -17,10 +17,6 @@ struct VoxelStairs {
   std::array<Vec3, 3> axis;    ///< of the grid: orthogonal unit vectors, nearest to x, y and z
   std::array<double, 3> step;  ///< distance of the centres along each axis, in units of the positions
   Array<std::uint8_t> pair;    ///< by vertex: the axis along which its two voxels lie; 3 if it is not of the grid
-
-  /// Variance, along the surface's unit normal n, of the vertices' distances from it. Of those between voxels along
-  /// axis k, it is uniform within n_k step_k to both sides; and they are in proportion to n_k step_k.
-  double variance(const Vec3& normal) const;
 };
 
 /// The grid, if the mesh is such a boundary, as it came from marching cubes: moved, turned or scaled, but not smoothed.
@@ -29,5 +25,11 @@ struct VoxelStairs {
 /// half-way along the third. Clean models of exact coordinates, as grids and blocks of steps, fail in the last.
 /// Independent of the mesh's noise, for there is none. New here.
 std::optional<VoxelStairs> find_voxel_stairs(const MeshArrays& mesh, const FaceGeometry& faces, Job& job);
+
+/// By vertex: standard deviation of its distance from the true surface, along that surface's normal n. For one between
+/// voxels along axis k it is uniform within |n_k| step_k / 2 to both sides. Its normal is taken from the faces as far
+/// around as the widest stairs are. 0 for vertices that are not of the grid.
+Array<double> deviations_by_stairs(const MeshArrays& mesh, const VoxelStairs& stairs, const FaceGeometry& faces,
+                                   Job& job);
 
 }  // namespace vcg_core::detail
