@@ -97,6 +97,42 @@ TEST(NoiseEstimate, SeesImpulses) {
     }
 }
 
+/// Asks for an estimate within a quarter of the root mean square of the moves along the normals.
+void expect_estimate(const char* name, const char* kind, const mesh_tools::NoiseModel& model) {
+  const Shape clean = shape_of(name, 6000);
+  mesh_tools::Mesh mesh = mesh_tools::make_shape(name, 6000);
+  mesh_tools::add_noise(mesh, model);
+  double squares = 0;
+  for (std::size_t v = 0; v < clean.normals.size(); ++v) {
+    const double along = (mesh.vert[v].cP() - clean.mesh.points[v]) * clean.normals[v];
+    squares += along * along / static_cast<double>(clean.normals.size());
+  }
+  const double truth = std::sqrt(squares);
+  EXPECT_NEAR(estimated(test_support::flat(mesh)), truth, 0.25 * truth) << name << " " << kind;
+}
+
+TEST(NoiseEstimate, IsThatOfScanners) {
+  mesh_tools::NoiseModel impulsive;
+  impulsive.level = 0.5;
+  impulsive.share = 1.0 / 3;
+  mesh_tools::NoiseModel uneven;
+  uneven.level = 0.05;
+  uneven.level_far = 0.4;
+  uneven.axis = vcg::Point3d(1, 2, 3);
+  mesh_tools::NoiseModel steps;
+  steps.step = 0.5;
+  steps.axis = vcg::Point3d(1, 2, 3);
+  for (const char* name : {"cube", "sphere", "cad_part", "torus"}) {
+    expect_estimate(name, "impulsive", impulsive);
+    expect_estimate(name, "uneven", uneven);
+    expect_estimate(name, "steps", steps);
+  }
+  mesh_tools::NoiseModel depth;
+  depth.level = 0.2;
+  depth.camera = vcg::Point3d(0.3, 0.2, 1.5);
+  for (const char* name : {"plane_random_diagonals", "thin_sheets"}) expect_estimate(name, "depth camera", depth);
+}
+
 TEST(NoiseEstimate, FollowsNoiseThatDiffersOverTheMesh) {
   for (const char* name : {"sphere", "torus", "cube"}) {
     Shape shape = shape_of(name, 20000);

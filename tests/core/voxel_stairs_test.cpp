@@ -45,10 +45,10 @@ void expect_steps(const VoxelStairs& stairs, double x, double y, double z) {
 }
 
 TEST(VoxelStairs, HaveTheStepsOfTheirGrid) {
-  for (const char* name : {"voxel_sphere", "voxel_torus", "voxel_cube", "voxel_cad_part", "voxel_stepped_block"})
-    for (const double slice_distance : {1.0, 1.7, 3.0, 6.0})
+  for (const char* name : {"voxel_sphere", "voxel_torus", "voxel_cube"})
+    for (const double slice_distance : {1.0, 1.7, 6.0})
       for (const double tilt : {0.0, 20.0}) {
-        const auto shape = mesh_tools::make_voxel_shape(name, 4000, {slice_distance, tilt});
+        const auto shape = mesh_tools::make_voxel_shape(name, 2000, {slice_distance, tilt});
         const Found found = found_on(test_support::flat(shape.surface));
         ASSERT_TRUE(found.stairs) << name << " " << slice_distance << " " << tilt;
         expect_steps(*found.stairs, shape.pixel, shape.pixel, slice_distance * shape.pixel);
@@ -70,7 +70,7 @@ TEST(VoxelStairs, AreFoundThroughTheRoundingOfFiles) {
 
 /// An oblique scan: the axes turn with the mesh.
 TEST(VoxelStairs, AreFoundAlongAnyAxes) {
-  const auto shape = mesh_tools::make_voxel_shape("voxel_cad_part", 20000, {3, 15});
+  const auto shape = mesh_tools::make_voxel_shape("voxel_cad_part", 5000, {3, 15});
   const double c = std::cos(0.4), s = std::sin(0.4);
   const auto turned = [&](const Point& p) {  // about z, then about x
     const Point q(c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]);
@@ -115,7 +115,7 @@ double root_mean_square(const std::vector<double>& values) {
 TEST(VoxelStairs, TellHowFarVerticesAreFromTheShape) {
   for (const char* name : {"voxel_sphere", "voxel_torus", "voxel_cad_part"})
     for (const double slice_distance : {1.0, 3.0, 6.0}) {
-      const auto shape = mesh_tools::make_voxel_shape(name, 8000, {slice_distance, 15});
+      const auto shape = mesh_tools::make_voxel_shape(name, 4000, {slice_distance, 15});
       Job job{no_progress, 1};
       const MeshArrays mesh = test_support::arrays_of(test_support::flat(shape.surface), job);
       FaceGeometry faces;
