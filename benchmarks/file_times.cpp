@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads a mesh file and writes it with all vertices moved, as the command line does or as vcglib does, and prints the
 // processor seconds of both. scripts/bench_files runs it.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A piece of a larger mesh, with its surroundings, comes out as in the whole.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Grids of voxels are found on surfaces that were made of them, and on nothing else.
 
 #include <cmath>

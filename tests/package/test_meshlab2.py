@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """packaging/meshlab2: the files are what scripts/describe_for_meshlab2 makes of the filters' tables, and filters.json has
 the form that meshlab2 documents (docs/design/adding_a_filter.md and vocabulary.md there; docs/meshlab2.md here)."""
 

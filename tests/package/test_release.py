@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """scripts/release as far as it is cheap: what it refuses, names, notes and checksums; and what its plugins and its command
 line are linked like, seen on the programs of this build, which are linked a second time."""
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Files as flat arrays: what is read again for writing, and the way to vcglib's mesh and back.
 
 #include <mesh_tools/mesh_io.h>

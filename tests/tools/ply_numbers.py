@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Vertices and faces of the binary PLY files that anisosmooth writes for bare meshes, without any library."""
 
 import random

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Smoothing in pieces: the same result as in one, whatever happens to the workers and the files."""
 
 import json

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The adapter for meshlab2 with stand-ins for what meshlab2's documentation says of its interface: with the defaults
 // that filters.json declares the filters do what the library does.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 // As much of meshlab2's interface as docs/meshlab2.md says the adapter relies on, over Qt 5's Core: for the test that

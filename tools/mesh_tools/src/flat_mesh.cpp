@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <utility>
 
 #include <mesh_tools/mesh_io.h>  // first: the headers of vcglib below need it
