@@ -206,6 +206,23 @@ class SymbolVersions(unittest.TestCase):
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("undefined reference to `gettid'", done.stdout)
 
+    @unittest.skipUnless(PLUGIN, "needs MeshLab's library")
+    def test_a_library_of_names_needs_nothing(self):
+        library = os.environ["ANISO_MESHLAB_LIBRARY"]
+        version = (pathlib.Path(os.environ["ANISO_MESHLAB_SOURCE"]) / "ML_VERSION").read_text().strip()
+        names = WORK / "names/libmeshlab-common.so"
+        succeed(SYMBOLS, "--compiler", CXX, "names", library, version, names)
+        self.assertEqual(self.needed(names), set())
+        self.assertIn("libmeshlab-common.so", re.findall(r"SONAME.*\[(.*)\]", succeed("readelf", "-d", names)))
+
+        def defined(path):
+            return {line.split()[-1].split("@")[0] for line in succeed("nm", "-D", "--defined-only", path).splitlines()}
+
+        self.assertEqual(defined(names), defined(library))
+        self.assertIn(version.encode(), names.read_bytes())
+        self.assertIn("does not hold the version", run(SYMBOLS, "names", library, "1999.12", WORK / "none.so").stdout)
+        self.assertFalse((WORK / "none.so").exists())
+
     @unittest.skipUnless(CAN_RELINK and PLUGIN and DESCRIBE, "needs Ninja, the plugin, and no sanitizers")
     def test_the_plugin_needs_none_and_has_the_same_filters(self):
         path = relinked(PLUGIN, "filter_anisotropic_smooth", f"-L{self.older}")
