@@ -49,6 +49,8 @@ const std::map<std::string, Setter>& setters() {
       {"most_deviations", set(&GuidedSettings::most_deviations)},
       {"unfold_step", set(&GuidedSettings::unfold_step)},
       {"fold_cosine", set(&GuidedSettings::fold_cosine)},
+      {"blend", set(&GuidedSettings::blend)},
+      {"second_stage", set(&GuidedSettings::second_stage)},
       {"guide", set(&GuidedSettings::guide)},
       {"guard_thin_parts", set(&GuidedSettings::guard_thin_parts)},
       {"fine", set(&GuidedSettings::fine)},

@@ -65,7 +65,11 @@ Draw draw_method() {
     drawn.parameters.sigma_c = draw_real(0.7, 2.5);
     drawn.share = 0.02;  // a distance next to the cut-off
   }
-  if (info.method == Method::guided) drawn.share = 0.05;  // two guides of the same consistency
+  if (info.method == Method::guided) {
+    drawn.parameters.blend = *rc::gen::element(vcg_core::Blend::on, vcg_core::Blend::off);
+    drawn.share = 0.05;                                                         // two guides of the same consistency
+    if (drawn.parameters.blend == vcg_core::Blend::on) drawn.tolerance = 3e-5;  // its candidates are single
+  }
   return drawn;
 }
 

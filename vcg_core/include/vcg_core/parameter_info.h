@@ -12,6 +12,7 @@ namespace vcg_core {
 struct SmoothingParameters;
 enum class Boundary;
 enum class GaussianForm;
+enum class Blend;
 
 /// The values that a parameter may have.
 struct Values {
@@ -46,7 +47,8 @@ inline Values on_with_selection() {
 struct ParameterInfo {
   enum class Kind { real, integer, flag, choice };
   using Member = std::variant<double SmoothingParameters::*, int SmoothingParameters::*, bool SmoothingParameters::*,
-                              Boundary SmoothingParameters::*, GaussianForm SmoothingParameters::*>;
+                              Boundary SmoothingParameters::*, GaussianForm SmoothingParameters::*,
+                              Blend SmoothingParameters::*>;
 
   Member member;
   std::string name;   ///< in scripts and reports; on the command line with dashes

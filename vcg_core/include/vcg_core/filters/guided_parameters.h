@@ -7,11 +7,18 @@
 
 namespace vcg_core {
 
+/// Where the guided filter's last normals come from.
+enum class Blend {
+  on,  ///< a learned blend of differently filtered ones
+  off  ///< the last rounds of one filter
+};
+
 /// What the guided filter is told; by default it sets itself by the mesh.
 struct GuidedParameters {
   double strength = 1.0;
   double feature_angle = 30.0;
   bool smooth_color = false;
+  Blend blend = Blend::on;
 };
 
 /// All is SmoothingParameters, which is not complete here.
@@ -39,7 +46,12 @@ std::vector<ParameterInfo> guided_parameters() {
           {&All::smooth_color, "smooth_color", "Smooth colour and quality too",
            "On: the vertices' colour and quality are smoothed as well, without bleeding over edges. Off: they stay byte"
            " for byte as they are.",
-           on_or_off()}};
+           on_or_off()},
+          {&All::blend, "blend", "",
+           "on: the final normals are a learned blend of differently filtered ones, which leaves less noise and makes no"
+           " facets of curved surfaces. off: they are those of the last filtering rounds, and detail is brought back"
+           " afterwards: faster, and what the blend is measured against.",
+           one_of({"on", "off"})}};
 }
 
 }  // namespace vcg_core

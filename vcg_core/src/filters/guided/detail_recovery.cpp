@@ -7,14 +7,13 @@
 #include <vcg_core/detail/job.h>
 
 #include "face_geometry.h"
+#include "mean_normals.h"
 #include "median.h"
 #include "ring_mean.h"
 
 namespace vcg_core::detail {
 
 namespace {
-
-constexpr std::size_t grain = 4096;
 
 /// Low-passes over these numbers of rings.
 constexpr int scales[] = {3, 1};
@@ -30,23 +29,6 @@ constexpr int energy_rings = 16;
 /// value of a normal distribution.
 constexpr double noise_above_ring = 0.926;
 constexpr double median_of_normal = 0.6745;
-
-/// Unit sums of the normals of each vertex's faces; zero where they cancel.
-Array<Vec3> mean_normals(const MeshArrays& mesh, const Array<Vec3>& face_normal, Job& job) {
-  const MeshTopology& topology = mesh.topology;
-  Array<Vec3> normal(mesh.size());
-  job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
-    while (chunks.next())
-      for (std::size_t v = chunks.begin(); v < chunks.end(); ++v) {
-        Vec3 sum = Vec3::Zero();
-        for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s)
-          sum += face_normal[topology.star[s] / 3];
-        const double length = sum.norm();
-        normal[v] = length > 1e-9 ? Vec3(sum / length) : Vec3(Vec3::Zero());
-      }
-  });
-  return normal;
-}
 
 double noise_of(const Array<double>& residual, const Array<double>& one_ring, Job& job) {
   Array<double> above(residual.size());

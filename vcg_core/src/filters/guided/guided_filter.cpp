@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "guided_filter.h"
 
-#include <algorithm>
-#include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <string>
@@ -11,12 +9,10 @@
 #include <vcg_core/detail/job.h>
 
 #include "attribute_smoothing.h"
+#include "blend/blend.h"
+#include "coarse_rounds.h"
 #include "detail_recovery.h"
 #include "displacement_limit.h"
-#include "face_geometry.h"
-#include "face_neighborhoods.h"
-#include "guide_normals.h"
-#include "noise_estimate.h"
 #include "normal_filter.h"
 #include "vertex_update.h"
 
@@ -33,112 +29,59 @@ std::string in_percent(double share) {
   return text.str();
 }
 
-/// What the rounds of one run share.
-class GuidedRun {
- public:
-  GuidedRun(const PassInput& input, const GuidedSettings& settings)
-      : in_(input), settings_(settings), job_(input.job), position_(input.position) {}
+PassOutput unchanged(const PassInput& input) {
+  PassOutput output{input.position};
+  output.estimated_noise = 0;
+  output.notes.push_back(
+      "the mesh shows no noise that can be told from its shape, so nothing was moved; if it is noisy all the same, "
+      "use the paper's filter or Taubin's");
+  return output;
+}
 
-  PassOutput run() {
-    measure_noise();
-    if (!(noise_ > 0)) return unchanged();
-    find_neighbourhoods();
-    const int rounds = settings_.coarse_rounds > 0 ? settings_.coarse_rounds : rounds_for_noise();
-    for (int round = 0; round < rounds; ++round) {
-      coarse_round();
-      job_.report(0.1 + 0.5 * (round + 1) / rounds);
-    }
-    if (settings_.fine) fine_rounds();
-    if (settings_.restart) position_ = in_.position;
-    update_positions(in_.mesh, normal_, in_.movable, settings_.final_updates, settings_, position_, job_);
-    job_.report(0.95);
-    if (settings_.recover_detail)
-      detail::recover_detail(in_.mesh, in_.position, in_.movable, settings_, position_, job_);
-    return hold_to_limits();
+/// The normals after fine rounds: the filter without its blend.
+Array<Vec3> fine_normals(const CoarseResult& coarse, Job& job) {
+  const GuidedSettings& settings = coarse.settings;
+  const Array<double> weight =
+      closeness_weights(coarse.within, coarse.faces, coarse.spacing, settings.closeness, job);
+  Array<Vec3> normal = coarse.faces.normal;
+  for (int round = 0; settings.fine && round < settings.fine_rounds; ++round) {
+    normal = filter_normals(coarse.within, weight, normal, normal, settings.fine_range, job);
+    job.report(0.5 + 0.3 * (round + 1) / settings.fine_rounds);
   }
+  return normal;
+}
 
- private:
-  void measure_noise() {
-    faces_.measure(in_.mesh, position_, job_);
-    normal_ = faces_.normal;
-    estimate_ = estimate_noise(in_.mesh, in_.position, faces_, job_);
-    noise_ = settings_.noise_scale * estimate_.mean;
-  }
-
-  PassOutput unchanged() {
-    PassOutput output{in_.position};
-    output.estimated_noise = 0;
-    output.notes.push_back(
-        "the mesh shows no noise that can be told from its shape, so nothing was moved; if it is noisy all the same, "
-        "use the paper's filter or Taubin's");
-    return output;
-  }
-
-  PassOutput hold_to_limits() {
-    const Array<double> limit =
-        displacement_limits(in_.mesh, estimate_.deviation, settings_.most_deviations * settings_.noise_scale, job_);
-    Array<std::uint8_t> bounded(in_.mesh.size(), 0);
-    limit_displacements(in_.position, limit, position_, bounded, job_);
-    keep_faces_upright(in_.mesh, in_.position, normal_, limit, position_, bounded, job_);
-    PassOutput output{std::move(position_)};
-    output.bounded = std::move(bounded);
-    output.estimated_noise = estimate_.mean;
-    if (estimate_.evidence < little_evidence)
-      output.notes.push_back("noise can be told from shape around " + in_percent(estimate_.evidence) +
-                             " of the vertices only; elsewhere they were moved little");
-    return output;
-  }
-
-  void find_neighbourhoods() {
-    across_ = faces_across(in_.mesh, job_);
-    around_ = faces_around(in_.mesh, across_, job_);
-    spacing_ = local_spacing(in_.mesh, settings_.follow_edge_length, settings_.noise_spacing * noise_, job_);
-    within_ = faces_within(around_, faces_.centroid, spacing_, settings_.radius, job_);
-    job_.report(0.1);
-  }
-
-  int rounds_for_noise() const {
-    const double rounds = settings_.rounds_by_noise * noise_ / in_.mesh.topology.average_edge_length;
-    return static_cast<int>(std::lround(std::clamp<double>(rounds, settings_.fewest_rounds, settings_.most_rounds)));
-  }
-
-  void coarse_round() {
-    const Array<double> weight = closeness_weights(within_, faces_, spacing_, settings_.closeness, job_);
-    const Array<Vec3> guide =
-        settings_.guide ? guide_normals(around_, across_, faces_, normal_, settings_, job_) : normal_;
-    normal_ = filter_normals(within_, weight, guide, normal_, settings_.coarse_range, job_);
-    update_positions(in_.mesh, normal_, in_.movable, settings_.coarse_updates, settings_, position_, job_);
-    // From here on the normals are those of the faces as they lie: what the vertices could not follow is dropped.
-    faces_.measure(in_.mesh, position_, job_);
-    normal_ = faces_.normal;
-  }
-
-  void fine_rounds() {
-    const Array<double> weight = closeness_weights(within_, faces_, spacing_, settings_.closeness, job_);
-    for (int round = 0; round < settings_.fine_rounds; ++round) {
-      normal_ = filter_normals(within_, weight, normal_, normal_, settings_.fine_range, job_);
-      job_.report(0.6 + 0.3 * (round + 1) / settings_.fine_rounds);
-    }
-  }
-
-  const PassInput& in_;
-  const GuidedSettings& settings_;
-  Job& job_;
-  Array<Vec3> position_;
-  Array<Vec3> normal_;
-  Array<Index> across_;
-  FaceLists around_;
-  FaceLists within_;
-  Array<double> spacing_;
-  FaceGeometry faces_;
-  NoiseEstimate estimate_;
-  double noise_ = 0;  ///< standard deviation over the whole mesh that is to be removed, in units of the positions
-};
+PassOutput hold_to_limits(const PassInput& input, const GuidedSettings& settings, const NoiseEstimate& estimate,
+                          const Array<Vec3>& normal, Array<Vec3> position) {
+  const Array<double> limit = displacement_limits(input.mesh, estimate.deviation,
+                                                  settings.most_deviations * settings.noise_scale, input.job);
+  Array<std::uint8_t> bounded(input.mesh.size(), 0);
+  limit_displacements(input.position, limit, position, bounded, input.job);
+  keep_faces_upright(input.mesh, input.position, normal, limit, position, bounded, input.job);
+  PassOutput output{std::move(position)};
+  output.bounded = std::move(bounded);
+  output.estimated_noise = estimate.mean;
+  if (estimate.evidence < little_evidence)
+    output.notes.push_back("noise can be told from shape around " + in_percent(estimate.evidence) +
+                           " of the vertices only; elsewhere they were moved little");
+  return output;
+}
 
 }  // namespace
 
 PassOutput guided_pass(const PassInput& input, const GuidedSettings& settings) {
-  return GuidedRun(input, settings).run();
+  CoarseRounds coarse(input, settings);
+  if (!(coarse.noise() > 0)) return unchanged(input);
+  coarse.run();
+  const CoarseResult result = coarse.result();
+  Job& job = input.job;
+  const Array<Vec3> normal = settings.blend ? blended_normals(result, job) : fine_normals(result, job);
+  Array<Vec3> position = settings.restart ? input.position : result.position;
+  update_positions(input.mesh, normal, input.movable, settings.final_updates, settings, position, job);
+  job.report(0.95);
+  if (settings.recover_detail && !settings.blend)
+    recover_detail(input.mesh, input.position, input.movable, settings, position, job);
+  return hold_to_limits(input, settings, coarse.estimate(), normal, std::move(position));
 }
 
 namespace {

@@ -22,6 +22,7 @@ GuidedSettings guided_settings(const GuidedParameters& parameters, int coarse_ro
   settings.ring_range_floor *= range_scale;
   settings.noise_scale = parameters.strength;
   settings.coarse_rounds = coarse_rounds;
+  settings.blend = parameters.blend == Blend::on;
   return settings;
 }
 

@@ -57,6 +57,8 @@ struct GuidedSettings {
   double detail_from = 1;
   double detail_full = 2;
 
+  bool blend = true;             ///< off: fine rounds and detail recovery in place of the learned blend
+  bool second_stage = true;      ///< off: the first blend is the last
   bool guide = true;             ///< off: the coarse rounds are plain bilateral
   bool guard_thin_parts = true;  ///< off: every face takes its best patch as guide
   bool fine = true;              ///< off: no fine rounds

@@ -9,6 +9,7 @@
 #include <vcg_core/detail/job.h>
 
 #include "ring_mean.h"
+#include "voxel_stairs.h"
 
 namespace vcg_core::detail {
 
@@ -155,6 +156,20 @@ double confidence_in(const Testimony& t) {
   return t[trusted] > 0 ? ramp(t[trusted] / t[asked], least_share, full_share) : 0;
 }
 
+double root_mean_square(const Array<double>& value, Job& job) {
+  double sum = 0;
+  job.serial(value.size(), [&](std::size_t v) { sum += value[v] * value[v]; });
+  return std::sqrt(sum / static_cast<double>(value.size()));
+}
+
+NoiseEstimate noise_of_stairs(const MeshArrays& mesh, const VoxelStairs& stairs, const FaceGeometry& faces, Job& job) {
+  NoiseEstimate noise;
+  noise.deviation = deviations_by_stairs(mesh, stairs, faces, job);
+  noise.mean = root_mean_square(noise.deviation, job);
+  noise.evidence = 1;
+  return noise;
+}
+
 /// By vertex.
 Array<Testimony> find_testimony(const Array<Evidence>& own, const Array<Evidence>& around, Job& job) {
   Array<Testimony> testimony(own.size());
@@ -168,6 +183,7 @@ Array<Testimony> find_testimony(const Array<Evidence>& own, const Array<Evidence
 }  // namespace
 
 NoiseEstimate estimate_noise(const MeshArrays& mesh, const Array<Vec3>& position, const FaceGeometry& faces, Job& job) {
+  if (const auto stairs = find_voxel_stairs(mesh, faces, job)) return noise_of_stairs(mesh, *stairs, faces, job);
   const Array<Evidence> own = find_evidence(mesh, heights(mesh, position, faces, job), job);
   const Array<Evidence> around = low_pass(mesh, own, evidence_rings, job);
   Array<Testimony> testimony = find_testimony(own, around, job);
@@ -189,9 +205,7 @@ NoiseEstimate estimate_noise(const MeshArrays& mesh, const Array<Vec3>& position
         noise.deviation[v] = std::sqrt(std::min(variance_of(around[v]), variance));
       }
   });
-  double sum = 0;
-  job.serial(mesh.size(), [&](std::size_t v) { sum += noise.deviation[v] * noise.deviation[v]; });
-  noise.mean = std::sqrt(sum / static_cast<double>(mesh.size()));
+  noise.mean = root_mean_square(noise.deviation, job);
   return noise;
 }
 

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The learned blend of the guided filter: its low-passes and networks against naive references, and what a blend must
+// keep whatever its weights are.
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <Eigen/Dense>
+
+#include <mesh_tools/random.h>
+#include <support/arrays_of.h>
+#include <support/noisy_shapes.h>
+#include <vcg_core/detail/job.h>
+
+#include "filters/guided/blend/band_limits.h"
+#include "filters/guided/blend/blend.h"
+#include "filters/guided/blend/blend_network.h"
+#include "filters/guided/blend/blend_weights.h"
+#include "filters/guided/coarse_rounds.h"
+#include "mesh/creases.h"
+
+namespace {
+
+using namespace vcg_core::detail;
+using test_support::arrays_of;
+using test_support::FlatMesh;
+
+const vcg_core::Progress no_progress;
+
+/// T_n(x) by its definition.
+double chebyshev(std::size_t n, double x) { return std::cos(static_cast<double>(n) * std::acos(x)); }
+
+double response(double cut_off, double theta) {
+  const std::vector<double> coefficient = band_limit_coefficients(cut_off);
+  double sum = 0;
+  for (std::size_t n = 0; n < coefficient.size(); ++n) sum += coefficient[n] * chebyshev(n, std::cos(theta));
+  return sum;
+}
+
+TEST(BandLimits, KeepLongWavesAndNoShortOnes) {
+  for (const double cut_off : {1.4, 0.65, 0.25, 0.125}) {
+    EXPECT_NEAR(response(cut_off, 0), 1, 1e-12);
+    EXPECT_NEAR(response(cut_off, 0.3 * cut_off), 1, 0.05);
+    EXPECT_NEAR(response(cut_off, cut_off), 0.5, 0.03);
+    for (double theta = 2 * cut_off; theta < 3.14; theta += 0.01) EXPECT_NEAR(response(cut_off, theta), 0, 0.03);
+  }
+}
+
+/// The matrix of means over the one ring, inner edges twice.
+Eigen::MatrixXd ring_matrix(const MeshArrays& mesh) {
+  const auto size = static_cast<Eigen::Index>(mesh.size());
+  Eigen::MatrixXd w = Eigen::MatrixXd::Zero(size, size);
+  for (const auto& f : mesh.face)
+    for (std::size_t k = 0; k < 3; ++k)
+      for (const std::size_t other : {(k + 1) % 3, (k + 2) % 3}) w(f[k], f[other]) += 1;
+  for (Eigen::Index v = 0; v < size; ++v) w.row(v) /= w.row(v).sum();
+  return w;
+}
+
+Eigen::MatrixXd in_rows(const Array<Vec3>& position) {
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(position.size()), 3);
+  for (std::size_t v = 0; v < position.size(); ++v) rows.row(static_cast<Eigen::Index>(v)) = position[v];
+  return rows;
+}
+
+TEST(BandLimits, AreChebyshevPolynomialsInTheRingMean) {
+  Job job(no_progress, 2);
+  const MeshArrays mesh = arrays_of(test_support::noisy_shape("torus", 300), job);
+  const std::vector<double> cut_offs{1.0, 0.4};
+  const std::vector<Array<Vec3>> low = band_limited_positions(mesh, mesh.position, cut_offs, job);
+  const Eigen::MatrixXd w = ring_matrix(mesh);
+  const Eigen::MatrixXd x = in_rows(mesh.position);
+  for (std::size_t k = 0; k < cut_offs.size(); ++k) {
+    const std::vector<double> c = band_limit_coefficients(cut_offs[k]);
+    Eigen::MatrixXd before = x, current = w * x, sum = c[0] * before + c[1] * current;
+    for (std::size_t n = 2; n < c.size(); ++n) {
+      const Eigen::MatrixXd next = 2 * w * current - before;
+      before = current;
+      current = next;
+      sum += c[n] * current;
+    }
+    EXPECT_LT((in_rows(low[k]) - sum).cwiseAbs().maxCoeff(), 1e-12);
+  }
+}
+
+TEST(BandLimits, LeaveStraightCreasesStraight) {
+  Job job(no_progress, 1);
+  // A roof: ridge vertices 0 to 8 on the x axis, eaves on both sides.
+  FlatMesh roof;
+  for (int i = 0; i < 9; ++i) roof.points.emplace_back(i + 0.3 * (i % 2), 0, 0);
+  for (const int side : {-1, 1})
+    for (int i = 0; i < 9; ++i) roof.points.emplace_back(i, side, -0.8);
+  for (std::size_t side = 0; side < 2; ++side)
+    for (std::size_t i = 0; i < 8; ++i) {
+      const std::size_t a = i, b = i + 1, c = 9 + 9 * side + i, d = c + 1;
+      if (side == 0) {
+        roof.faces.push_back({a, c, d});
+        roof.faces.push_back({a, d, b});
+      } else {
+        roof.faces.push_back({a, d, c});
+        roof.faces.push_back({a, b, d});
+      }
+    }
+  MeshArrays mesh = arrays_of(roof, job);
+  const Array<Index> place = vertex_of_host(mesh);
+  Array<std::array<Index, 2>> ridge;
+  for (std::size_t i = 0; i < 8; ++i) ridge.push_back({place[i], place[i + 1]});
+  const Array<Vec3> blunt = band_limited_positions(mesh, mesh.position, {0.8}, job)[0];
+  find_creases(mesh, ridge, job);
+  const Array<Vec3> sharp = band_limited_positions(mesh, mesh.position, {0.8}, job)[0];
+  EXPECT_LT(blunt[place[4]][2], -0.05);  // without creases the ridge sinks
+  for (std::size_t i = 0; i < 9; ++i) {
+    EXPECT_NEAR(sharp[place[i]][1], 0, 1e-12);
+    EXPECT_NEAR(sharp[place[i]][2], 0, 1e-12);
+  }
+  EXPECT_NEAR((sharp[place[0]] - mesh.position[place[0]]).norm(), 0, 1e-12);  // where the crease ends
+}
+
+/// Candidates and a table of random numbers, small enough for a reference by hand.
+struct RandomCase {
+  RandomCase() {
+    mesh_tools::Random random(5);
+    const auto unit = [&] {
+      const vcg::Point3d d = random.direction();
+      return Vec3f(static_cast<float>(d[0]), static_cast<float>(d[1]), static_cast<float>(d[2]));
+    };
+    for (int c = 0; c < 4; ++c) {
+      candidates.normal.emplace_back();
+      for (int f = 0; f < 37; ++f) candidates.normal.back().push_back(unit());
+    }
+    candidates.scalar.emplace_back();
+    for (int f = 0; f < 37; ++f) candidates.scalar.back().push_back(static_cast<float>(random.uniform()));
+    value.resize(values_in(sizes));
+    for (std::int16_t& v : value) v = static_cast<std::int16_t>(4096 * random.normal());
+    for (std::size_t i = 0; i < sizes[0]; ++i) value[sizes[0] + i] = static_cast<std::int16_t>(2000 + 10 * i);
+  }
+
+  NetworkTable table() const { return {{sizes[0], sizes[1], sizes[2], sizes[3]}, value.data(), value.size()}; }
+
+  static constexpr std::size_t sizes[] = {7, 5, 3, 4};
+  Candidates candidates;
+  std::vector<std::int16_t> value;
+};
+
+TEST(BlendNetwork, IsThatOfItsTable) {
+  Job job(no_progress, 2);
+  const RandomCase c;
+  const Array<Vec3> blended = BlendNetwork(c.table()).blend(c.candidates, job);
+  for (std::size_t f = 0; f < 37; ++f) {
+    std::vector<double> x;
+    for (std::size_t a = 0; a < 4; ++a)
+      for (std::size_t b = a + 1; b < 4; ++b)
+        x.push_back((c.candidates.normal[a][f] - c.candidates.normal[b][f]).cast<double>().norm());
+    x.push_back(c.candidates.scalar[0][f]);
+    const std::int16_t* next = c.value.data();
+    for (double& input : x) input -= *next++ / 4096.0;
+    for (double& input : x) input /= *next++ / 4096.0;
+    for (int layer = 0; layer < 3; ++layer) {
+      std::vector<double> y(c.sizes[layer + 1], 0.0);
+      for (double& sum : y)
+        for (const double input : x) sum += *next++ / 4096.0 * input;
+      for (double& sum : y) sum += *next++ / 4096.0;
+      if (layer < 2)
+        for (double& sum : y) sum = sum > 0 ? sum : sum / 10;
+      x = y;
+    }
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t a = 0; a < 4; ++a) sum += x[a] * c.candidates.normal[a][f].cast<double>();
+    EXPECT_LT((blended[f] - sum.normalized()).norm(), 1e-4 / std::min(1.0, sum.norm())) << f;
+  }
+}
+
+TEST(BlendNetwork, TakesTheSafeCandidateWhereTheSumIsShort) {
+  Job job(no_progress, 1);
+  RandomCase c;
+  std::fill(c.value.begin() + 2 * 7, c.value.end(), std::int16_t(0));
+  const Array<Vec3> blended = BlendNetwork(c.table()).blend(c.candidates, job);
+  for (std::size_t f = 0; f < 37; ++f)
+    EXPECT_EQ(blended[f], c.candidates.normal[safe_candidate][f].cast<double>()) << f;
+}
+
+TEST(BlendTable, ShowsDamage) {
+  RandomCase c;
+  const std::uint32_t whole = checksum(c.value.data(), c.value.size());
+  c.value[20] ^= 1;
+  EXPECT_NE(checksum(c.value.data(), c.value.size()), whole);
+  c.value[20] ^= 1;
+  std::swap(c.value[20], c.value[21]);
+  EXPECT_NE(checksum(c.value.data(), c.value.size()), whole);
+  EXPECT_NE(checksum(c.value.data(), c.value.size() - 1), whole);
+  EXPECT_EQ(first_blend_weights().count, values_in(first_blend_weights().sizes));
+  EXPECT_EQ(second_blend_weights().count, values_in(second_blend_weights().sizes));
+}
+
+/// Blended normals of a mesh whose vertices may all move.
+Array<Vec3> blended(const MeshArrays& mesh, Job& job) {
+  job.begin_stage("", 1);
+  Array<std::uint8_t> movable(mesh.size(), 1);
+  const Array<Vec3> no_normals;
+  const GuidedSettings settings;
+  const PassInput input{mesh, mesh.position, no_normals, movable, job};
+  CoarseRounds coarse(input, settings);
+  coarse.run();
+  const CoarseResult result = coarse.result();
+  // The networks fit the candidates that there are.
+  EXPECT_EQ(first_candidates(result, job).size(), first_blend_weights().sizes[3]);
+  return blended_normals(result, job);
+}
+
+TEST(Blend, TurnsWithTheMesh) {
+  Job job(no_progress, 2);
+  const FlatMesh flat = test_support::noisy_shape("cad_part", 1200, 0.2);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  MeshArrays mesh = arrays_of(flat, job);
+  const Array<Vec3> normal = blended(mesh, job);
+  for (Vec3& p : mesh.position) p = turn * p;
+  const Array<Vec3> turned = blended(mesh, job);
+  std::size_t different = 0;
+  for (std::size_t f = 0; f < normal.size(); ++f) different += (turned[f] - turn * normal[f]).norm() > 1e-4;
+  EXPECT_LE(different, normal.size() / 200);  // where two guides are equally good, either may be taken
+}
+
+TEST(Blend, IsTheSameForAnyNumberOfThreads) {
+  Job one(no_progress, 1), four(no_progress, 4);
+  const MeshArrays mesh = arrays_of(test_support::noisy_shape("torus", 3000, 0.3), one);
+  EXPECT_EQ(blended(mesh, one), blended(mesh, four));
+}
+
+TEST(Blend, LeavesAPlaneAsItIs) {
+  Job job(no_progress, 1);
+  Candidates candidates;
+  for (const NetworkTable* table : {&first_blend_weights(), &second_blend_weights()}) {
+    const Vec3f n(0.6F, 0, 0.8F);
+    candidates.normal.assign(table->sizes[3], Array<Vec3f>(20, n));
+    const std::size_t pairs = table->sizes[3] * (table->sizes[3] - 1) / 2;
+    for (const float noise : {0.0F, 0.3F, 0.6F}) {
+      candidates.scalar.assign(table->sizes[0] - pairs, Array<float>(20, noise));
+      for (const Vec3& normal : BlendNetwork(*table).blend(candidates, job))
+        EXPECT_LT((normal - n.cast<double>()).norm(), 1e-6);
+    }
+  }
+}
+
+}  // namespace

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vcg_core/detail/mesh_arrays.h>
+
+#include "candidates.h"
+
+namespace vcg_core::detail {
+
+/// The normals that the learned blend finds, in two stages. Its weights are those of blend_weights.cpp, which
+/// scripts/train makes.
+Array<Vec3> blended_normals(const CoarseResult& coarse, Job& job);
+
+}  // namespace vcg_core::detail

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "blend_network.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <vcg_core/detail/job.h>
+
+namespace vcg_core::detail {
+
+namespace {
+
+constexpr std::size_t grain = 64 * block;
+
+/// A sum of candidates that is shorter has no direction to rely on.
+constexpr double no_direction = 0.05;
+
+float rectified(float x) { return std::max(x, 0.1F * x); }
+
+}  // namespace
+
+BlendNetwork::BlendNetwork(const NetworkTable& table) {
+  const std::int16_t* next = table.value;
+  const auto take = [&](std::vector<float>& values, std::size_t count) {
+    values.resize(count);
+    for (float& value : values) value = static_cast<float>(*next++ * table_unit);
+  };
+  std::copy(std::begin(table.sizes), std::end(table.sizes), std::begin(sizes_));
+  take(mean_, sizes_[0]);
+  take(inverse_deviation_, sizes_[0]);
+  for (float& deviation : inverse_deviation_) deviation = 1 / deviation;
+  for (int k = 0; k < NetworkTable::layers; ++k) {
+    take(layer_[k].matrix, sizes_[k] * sizes_[k + 1]);
+    take(layer_[k].offset, sizes_[k + 1]);
+  }
+}
+
+void network_inputs(const Candidates& candidates, std::size_t first, std::size_t count, std::vector<float>& input) {
+  const std::size_t size = candidates.size();
+  input.resize(input_count(size, candidates.scalar.size()) * block);
+  // Candidates side by side: one row for each coordinate.
+  std::vector<float> coordinate(3 * size * block);
+  for (std::size_t c = 0; c < size; ++c)
+    for (std::size_t lane = 0; lane < block; ++lane) {
+      const Vec3f& n = candidates.normal[c][first + std::min(lane, count - 1)];
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        coordinate[(3 * c + axis) * block + lane] = n[static_cast<int>(axis)];
+    }
+  float* row = input.data();
+  for (std::size_t a = 0; a < size; ++a)
+    for (std::size_t b = a + 1; b < size; ++b, row += block) {
+      const float* p = coordinate.data() + 3 * a * block;
+      const float* q = coordinate.data() + 3 * b * block;
+      for (std::size_t lane = 0; lane < block; ++lane) {
+        const float x = p[lane] - q[lane];
+        const float y = p[block + lane] - q[block + lane];
+        const float z = p[2 * block + lane] - q[2 * block + lane];
+        row[lane] = std::sqrt(x * x + y * y + z * z);
+      }
+    }
+  for (const Array<float>& scalar : candidates.scalar) {
+    for (std::size_t lane = 0; lane < block; ++lane) row[lane] = scalar[first + std::min(lane, count - 1)];
+    row += block;
+  }
+}
+
+Array<Vec3> BlendNetwork::blend(const Candidates& candidates, Job& job) const {
+  Array<Vec3> blended(candidates.normal.front().size());
+  job.parallel(blended.size(), grain, Loop::minor, [&](Chunks& chunks) {
+    std::vector<float> values, sums;
+    while (chunks.next())
+      for (std::size_t first = chunks.begin(); first < chunks.end(); first += block) {
+        const std::size_t count = std::min(block, chunks.end() - first);
+        network_inputs(candidates, first, count, values);
+        for (std::size_t i = 0; i < sizes_[0]; ++i)
+          for (std::size_t lane = 0; lane < block; ++lane)
+            values[i * block + lane] = (values[i * block + lane] - mean_[i]) * inverse_deviation_[i];
+        for (int k = 0; k < NetworkTable::layers; ++k) {
+          sums.resize(sizes_[k + 1] * block);
+          for (std::size_t out = 0; out < sizes_[k + 1]; ++out) {
+            const float* weight = layer_[k].matrix.data() + out * sizes_[k];
+            float sum[block];
+            std::fill(std::begin(sum), std::end(sum), layer_[k].offset[out]);
+            for (std::size_t in = 0; in < sizes_[k]; ++in)
+              for (std::size_t lane = 0; lane < block; ++lane) sum[lane] += weight[in] * values[in * block + lane];
+            const bool last = k + 1 == NetworkTable::layers;
+            for (std::size_t lane = 0; lane < block; ++lane)
+              sums[out * block + lane] = last ? sum[lane] : rectified(sum[lane]);
+          }
+          values.swap(sums);
+        }
+        for (std::size_t lane = 0; lane < count; ++lane) {
+          const std::size_t f = first + lane;
+          const Vec3 safe = candidates.normal[safe_candidate][f].cast<double>();
+          Vec3 sum = Vec3::Zero();
+          for (std::size_t c = 0; c < candidates.size(); ++c)
+            sum += static_cast<double>(values[c * block + lane]) * candidates.normal[c][f].cast<double>();
+          const double length = sum.norm();
+          blended[f] = length > no_direction ? Vec3(sum / length) : safe;
+        }
+      }
+  });
+  return blended;
+}
+
+}  // namespace vcg_core::detail

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "candidates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <vcg_core/detail/job.h>
+
+#include "../mean_normals.h"
+#include "../median.h"
+#include "../normal_filter.h"
+#include "../vertex_update.h"
+#include "band_limits.h"
+
+namespace vcg_core::detail {
+
+namespace {
+
+constexpr std::size_t grain = 2048;
+
+/// Cut-offs of the first stage's low-passes: waves of 3.2, 4.7, 6.8, 11, 18 and 35 edges.
+const std::vector<double> first_cut_offs = {1.4, 0.95, 0.65, 0.4, 0.25, 0.125};
+const std::vector<double> second_cut_offs = {1.0, 0.5};
+
+/// Residuals are held to this many standard deviations before the low-passes, so that a vertex far off does not leave a
+/// bump.
+constexpr double outlier = 2.5;
+constexpr double deviation_of_median = 1.4826;
+
+/// Calls body(f) for each index below `count`, in parallel.
+template <class Body>
+void for_each(std::size_t count, Job& job, const Body& body) {
+  job.parallel(count, grain, Loop::minor, [&](Chunks& chunks) {
+    while (chunks.next())
+      for (std::size_t i = chunks.begin(); i < chunks.end(); ++i) body(i);
+  });
+}
+
+Array<Vec3f> in_single(const Array<Vec3>& normal, Job& job) {
+  Array<Vec3f> single(normal.size());
+  for_each(normal.size(), job, [&](std::size_t f) { single[f] = normal[f].cast<float>(); });
+  return single;
+}
+
+/// Means over the neighbourhood by closeness and area.
+class NeighbourhoodMean {
+ public:
+  NeighbourhoodMean(const CoarseResult& coarse, const FaceGeometry& faces, Job& job)
+      : within_(coarse.within),
+        weight_(closeness_weights(coarse.within, faces, coarse.spacing, coarse.settings.closeness, job)),
+        job_(job) {}
+
+  const Array<double>& weight() const { return weight_; }
+
+  Array<Vec3> of_normals(const Array<Vec3>& normal) const {
+    Array<Vec3> mean(normal.size());
+    for_each(normal.size(), job_, [&](std::size_t f) {
+      Vec3 sum = Vec3::Zero();
+      for (std::size_t k = within_.begin[f]; k < within_.begin[f + 1]; ++k) sum += weight_[k] * normal[within_.face[k]];
+      const double length = sum.norm();
+      mean[f] = length > 1e-12 ? Vec3(sum / length) : normal[f];
+    });
+    return mean;
+  }
+
+  /// Bilateral mean of `normal` by the differences of `guide`.
+  Array<Vec3> guided(const Array<Vec3>& guide, const Array<Vec3>& normal, double range_sigma) const {
+    return filter_normals(within_, weight_, guide, normal, range_sigma, job_);
+  }
+
+  Array<Vec3> bilateral(Array<Vec3> normal, double range_sigma, int rounds) const {
+    for (int round = 0; round < rounds; ++round) normal = guided(normal, normal, range_sigma);
+    return normal;
+  }
+
+  /// Means of several values at once, three times over.
+  template <class Values>
+  Array<Values> of_values(Array<Values> value) const {
+    Array<Values> mean(value.size());
+    for (int time = 0; time < 3; ++time) {
+      for_each(value.size(), job_, [&](std::size_t f) {
+        Values sum = Values::Zero();
+        double total = 0;
+        for (std::size_t k = within_.begin[f]; k < within_.begin[f + 1]; ++k) {
+          sum += static_cast<float>(weight_[k]) * value[within_.face[k]];
+          total += weight_[k];
+        }
+        mean[f] = total > 0 ? Values(sum / static_cast<float>(total)) : value[f];
+      });
+      value.swap(mean);
+    }
+    return value;
+  }
+
+ private:
+  const FaceLists& within_;
+  Array<double> weight_;
+  Job& job_;
+};
+
+/// sqrt(1 - length of the mean unit normal, by area, of the faces around), which grows with the angle between them.
+Array<float> spread(const FaceLists& around, const Array<double>& area, const Array<Vec3>& normal, Job& job) {
+  Array<float> result(normal.size());
+  for_each(normal.size(), job, [&](std::size_t f) {
+    Vec3 sum = Vec3::Zero();
+    double total = 0;
+    for (const Index* g = around.first(static_cast<Index>(f)); g != around.last(static_cast<Index>(f)); ++g) {
+      sum += area[*g] * normal[*g];
+      total += area[*g];
+    }
+    result[f] = total > 0 ? static_cast<float>(std::sqrt(std::max(0.0, 1 - sum.norm() / total))) : 0;
+  });
+  return result;
+}
+
+void add_scalars(const CoarseResult& coarse, Job& job, Candidates& candidates) {
+  const double e = coarse.mesh.topology.average_edge_length;
+  const double scale = coarse.settings.noise_scale;
+  Array<float> noise(coarse.spacing.size()), size(coarse.spacing.size());
+  for_each(noise.size(), job, [&](std::size_t f) {
+    double sum = 0;
+    for (const Index v : coarse.mesh.face[f]) sum += coarse.noise[v];
+    noise[f] = static_cast<float>(std::sqrt(scale * 0.2 * sum / coarse.spacing[f]));  // 0.6 spacings are an edge
+    size[f] = static_cast<float>(coarse.spacing[f] / (coarse.spacing[f] + 0.6 * e));
+  });
+  candidates.scalar.push_back(std::move(noise));
+  candidates.scalar.push_back(std::move(size));
+}
+
+/// Differences between candidates around the face, which tell more of noise and shape than those at the face alone.
+template <int Count>
+void add_context(const NeighbourhoodMean& mean, const std::array<std::array<int, 2>, Count>& pairs, Job& job,
+                 Candidates& candidates) {
+  using Values = Eigen::Matrix<float, Count, 1>;
+  Array<Values> difference(candidates.normal.front().size());
+  for_each(difference.size(), job, [&](std::size_t f) {
+    for (int p = 0; p < Count; ++p)
+      difference[f][p] = (candidates.normal[pairs[p][0]][f] - candidates.normal[pairs[p][1]][f]).norm();
+  });
+  difference = mean.of_values(std::move(difference));
+  for (int p = 0; p < Count; ++p) {
+    Array<float> one(difference.size());
+    for_each(one.size(), job, [&](std::size_t f) { one[f] = difference[f][p]; });
+    candidates.scalar.push_back(std::move(one));
+  }
+}
+
+/// The noisy positions, where they are far from the coarse ones along the normal brought nearer.
+Array<Vec3> without_outliers(const CoarseResult& coarse, Job& job) {
+  const Array<Vec3> normal = mean_normals(coarse.mesh, coarse.faces.normal, job);
+  Array<double> residual(coarse.mesh.size()), size(coarse.mesh.size());
+  for_each(normal.size(), job, [&](std::size_t v) {
+    residual[v] = (coarse.noisy[v] - coarse.position[v]).dot(normal[v]);
+    size[v] = std::abs(residual[v]);
+  });
+  const double limit = outlier * deviation_of_median * median(std::move(size));
+  Array<Vec3> position(coarse.mesh.size());
+  for_each(position.size(), job, [&](std::size_t v) {
+    const double held = std::clamp(residual[v], -limit, limit);
+    position[v] = coarse.noisy[v] + (held - residual[v]) * normal[v];
+  });
+  return position;
+}
+
+void add_band_limited(const CoarseResult& coarse, const Array<Vec3>& position, const std::vector<double>& cut_offs,
+                      Job& job, Candidates& candidates) {
+  FaceGeometry faces;
+  for (const Array<Vec3>& low : band_limited_positions(coarse.mesh, position, cut_offs, job)) {
+    faces.measure(coarse.mesh, low, job);
+    candidates.normal.push_back(in_single(faces.normal, job));
+  }
+}
+
+}  // namespace
+
+Candidates first_candidates(const CoarseResult& coarse, Job& job) {
+  const NeighbourhoodMean mean(coarse, coarse.faces, job);
+  const double range = coarse.settings.fine_range;
+  const Array<Vec3>& raw = coarse.noisy_faces.normal;
+  Candidates candidates;
+  const auto add = [&](const Array<Vec3>& normal) { candidates.normal.push_back(in_single(normal, job)); };
+  add(raw);
+  add(coarse.faces.normal);
+  Array<Vec3> fine = mean.bilateral(coarse.faces.normal, range, 4);
+  add(fine);
+  fine = mean.bilateral(std::move(fine), range, 12);
+  add(fine);
+  Array<Vec3> normal = mean.of_normals(raw);
+  add(normal);
+  add(mean.of_normals(mean.of_normals(normal)));
+  normal = mean.guided(fine, raw, range);
+  add(normal);
+  normal = mean.guided(fine, normal, 4. / 3 * range);
+  add(mean.guided(fine, normal, 4. / 3 * range));
+  add_band_limited(coarse, without_outliers(coarse, job), first_cut_offs, job, candidates);
+
+  candidates.scalar.push_back(spread(coarse.around, coarse.faces.area, coarse.faces.normal, job));
+  candidates.scalar.push_back(spread(coarse.around, coarse.faces.area, fine, job));
+  candidates.scalar.push_back(spread(coarse.around, coarse.noisy_faces.area, raw, job));
+  add_scalars(coarse, job, candidates);
+  add_context<8>(mean, {{{0, 1}, {0, 3}, {1, 3}, {3, 7}, {0, 9}, {3, 10}, {10, 12}, {12, 13}}}, job, candidates);
+  return candidates;
+}
+
+Candidates second_candidates(const CoarseResult& coarse, const Array<Vec3>& blended, Job& job) {
+  constexpr int updates = 10;
+  Array<Vec3> position = coarse.noisy;
+  update_positions(coarse.mesh, blended, coarse.movable, updates, coarse.settings, position, job);
+  FaceGeometry faces;
+  faces.measure(coarse.mesh, position, job);
+  const NeighbourhoodMean mean(coarse, faces, job);
+  const double range = coarse.settings.fine_range;
+  const Array<Vec3>& raw = coarse.noisy_faces.normal;
+  Candidates candidates;
+  const auto add = [&](const Array<Vec3>& normal) { candidates.normal.push_back(in_single(normal, job)); };
+  add(raw);
+  add(blended);
+  Array<Vec3> fine = mean.bilateral(blended, range, 3);
+  add(fine);
+  const Array<float> fine_spread = spread(coarse.around, faces.area, fine, job);
+  add(mean.bilateral(std::move(fine), range, 7));
+  add(mean.bilateral(blended, range / 2, 6));
+  Array<Vec3> normal = mean.of_normals(blended);
+  add(normal);
+  add(mean.of_normals(mean.of_normals(normal)));
+  normal = mean.guided(blended, raw, 2. / 3 * range);
+  add(normal);
+  add(mean.guided(blended, mean.guided(blended, normal, range), range));
+  add(faces.normal);
+  add_band_limited(coarse, position, second_cut_offs, job, candidates);
+
+  candidates.scalar.push_back(spread(coarse.around, faces.area, blended, job));
+  candidates.scalar.push_back(fine_spread);
+  candidates.scalar.push_back(spread(coarse.around, coarse.noisy_faces.area, raw, job));
+  add_scalars(coarse, job, candidates);
+  add_context<6>(mean, {{{0, 1}, {1, 3}, {1, 8}, {1, 10}, {1, 11}, {0, 10}}}, job, candidates);
+  return candidates;
+}
+
+}  // namespace vcg_core::detail

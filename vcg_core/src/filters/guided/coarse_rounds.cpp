@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coarse_rounds.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <vcg_core/detail/job.h>
+
+#include "guide_normals.h"
+#include "normal_filter.h"
+#include "vertex_update.h"
+
+namespace vcg_core::detail {
+
+CoarseRounds::CoarseRounds(const PassInput& input, const GuidedSettings& settings)
+    : in_(input), settings_(settings), job_(input.job), position_(input.position) {
+  noisy_faces_.measure(in_.mesh, position_, job_);
+  estimate_ = estimate_noise(in_.mesh, in_.position, noisy_faces_, job_);
+}
+
+void CoarseRounds::run() {
+  faces_ = noisy_faces_;
+  find_neighbourhoods();
+  const int rounds = settings_.coarse_rounds > 0 ? settings_.coarse_rounds : rounds_for_noise();
+  for (int round = 0; round < rounds; ++round) {
+    filter_once();
+    job_.report(0.1 + 0.4 * (round + 1) / rounds);
+  }
+}
+
+CoarseResult CoarseRounds::result() const {
+  return {in_.mesh, settings_, in_.position, noisy_faces_,        position_,  faces_,
+          around_,  within_,   spacing_,     estimate_.deviation, in_.movable};
+}
+
+void CoarseRounds::find_neighbourhoods() {
+  across_ = faces_across(in_.mesh, job_);
+  around_ = faces_around(in_.mesh, across_, job_);
+  spacing_ = local_spacing(in_.mesh, settings_.follow_edge_length, settings_.noise_spacing * noise(), job_);
+  within_ = faces_within(around_, faces_.centroid, spacing_, settings_.radius, job_);
+  job_.report(0.1);
+}
+
+int CoarseRounds::rounds_for_noise() const {
+  const double rounds = settings_.rounds_by_noise * noise() / in_.mesh.topology.average_edge_length;
+  return static_cast<int>(std::lround(std::clamp<double>(rounds, settings_.fewest_rounds, settings_.most_rounds)));
+}
+
+void CoarseRounds::filter_once() {
+  const Array<double> weight = closeness_weights(within_, faces_, spacing_, settings_.closeness, job_);
+  const Array<Vec3> guide =
+      settings_.guide ? guide_normals(around_, across_, faces_, faces_.normal, settings_, job_) : faces_.normal;
+  const Array<Vec3> normal = filter_normals(within_, weight, guide, faces_.normal, settings_.coarse_range, job_);
+  update_positions(in_.mesh, normal, in_.movable, settings_.coarse_updates, settings_, position_, job_);
+  // From here on the normals are those of the faces as they lie: what the vertices could not follow is dropped.
+  faces_.measure(in_.mesh, position_, job_);
+}
+
+}  // namespace vcg_core::detail

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "blend/candidates.h"
+#include "face_geometry.h"
+#include "face_neighborhoods.h"
+#include "filters/filter.h"
+#include "guided_settings.h"
+#include "noise_estimate.h"
+
+namespace vcg_core::detail {
+
+/// What the rounds of one run share, and the first of them.
+class CoarseRounds {
+ public:
+  /// Estimates the noise.
+  CoarseRounds(const PassInput& input, const GuidedSettings& settings);
+
+  const NoiseEstimate& estimate() const { return estimate_; }
+  /// Standard deviation over the whole mesh that is to be removed, in units of the positions.
+  double noise() const { return settings_.noise_scale * estimate_.mean; }
+
+  /// Finds the neighbourhoods and filters normals and positions. To be called once, with noise() above 0.
+  void run();
+
+  /// What run() has left. It holds references to this object and its input.
+  CoarseResult result() const;
+
+ private:
+  void find_neighbourhoods();
+  int rounds_for_noise() const;
+  void filter_once();
+
+  const PassInput& in_;
+  const GuidedSettings& settings_;
+  Job& job_;
+  Array<Vec3> position_;
+  FaceGeometry noisy_faces_;
+  FaceGeometry faces_;
+  NoiseEstimate estimate_;
+  Array<Index> across_;
+  FaceLists around_;
+  FaceLists within_;
+  Array<double> spacing_;
+};
+
+}  // namespace vcg_core::detail
