@@ -27,7 +27,8 @@ Array<std::uint8_t> find_movable(const MeshArrays& mesh, const SmoothingParamete
   Array<std::uint8_t> movable(mesh.size());
   job.serial(mesh.size(), [&](std::size_t i) {
     const bool held = (parameters.boundary == Boundary::fixed && topology.border[i]) ||
-                      (parameters.selected_only && !mesh.is_selected(i)) || (!mesh.weight.empty() && mesh.weight[i] == 0);
+                      (parameters.selected_only && !mesh.is_selected(i)) ||
+                      (!mesh.weight.empty() && mesh.weight[i] == 0);
     const bool isolated = topology.star_begin[i] == topology.star_begin[i + 1];
     if (held) report.fixed_vertices += mesh.counted(i);
     if (!held && isolated) report.skipped_vertices.isolated += mesh.counted(i);

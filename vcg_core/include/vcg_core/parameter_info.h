@@ -46,9 +46,9 @@ inline Values on_with_selection() {
 /// its value, and to describe it. A value of any kind is a double: a switch is 0 or 1, a choice its index in `choices`.
 struct ParameterInfo {
   enum class Kind { real, integer, flag, choice };
-  using Member = std::variant<double SmoothingParameters::*, int SmoothingParameters::*, bool SmoothingParameters::*,
-                              Boundary SmoothingParameters::*, GaussianForm SmoothingParameters::*,
-                              Blend SmoothingParameters::*>;
+  using Member =
+      std::variant<double SmoothingParameters::*, int SmoothingParameters::*, bool SmoothingParameters::*,
+                   Boundary SmoothingParameters::*, GaussianForm SmoothingParameters::*, Blend SmoothingParameters::*>;
 
   Member member;
   std::string name;   ///< in scripts and reports; on the command line with dashes

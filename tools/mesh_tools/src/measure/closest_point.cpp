@@ -132,7 +132,8 @@ SurfaceDistance::Nearest SurfaceDistance::search(const vcg::Point3d& point, doub
     }
     if (node.count > 0) continue;
     Visit nearer{node.first, squared_distance_to_box(point, nodes_[node.first].low, nodes_[node.first].high)};
-    Visit farther{node.first + 1, squared_distance_to_box(point, nodes_[node.first + 1].low, nodes_[node.first + 1].high)};
+    Visit farther{node.first + 1,
+                  squared_distance_to_box(point, nodes_[node.first + 1].low, nodes_[node.first + 1].high)};
     if (farther.squared_distance < nearer.squared_distance) std::swap(nearer, farther);
     stack[depth++] = farther;
     stack[depth++] = nearer;

@@ -25,9 +25,9 @@ using Index = std::uint32_t;
 struct RawMesh {
   Array<Vec3> position;
   Array<std::array<Index, 3>> face;
-  Array<Index> host_vertex;                 ///< the caller's index of each copy; those of a vertex side by side
-  Array<Index> copy_begin;                  ///< n + 1 offsets into host_vertex; empty if each vertex has one copy
-  Array<std::uint8_t> selected;             ///< whether a copy of the vertex, or a face of it, is selected; empty: none is
+  Array<Index> host_vertex;      ///< the caller's index of each copy; those of a vertex side by side
+  Array<Index> copy_begin;       ///< n + 1 offsets into host_vertex; empty if each vertex has one copy
+  Array<std::uint8_t> selected;  ///< whether a copy of the vertex, or a face of it, is selected; empty: none is
   Array<std::array<Index, 2>> crease_ends;  ///< the vertices of the caller's creases, until they are found as edges
   Array<double> weight;                     ///< how far the vertex follows the filter, from 0 to 1; empty: all 1
   std::optional<WholeMesh> whole;           ///< as MeshView has it, but in units of the positions

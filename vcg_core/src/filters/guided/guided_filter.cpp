@@ -41,8 +41,7 @@ PassOutput unchanged(const PassInput& input) {
 /// The normals after fine rounds: the filter without its blend.
 Array<Vec3> fine_normals(const CoarseResult& coarse, Job& job) {
   const GuidedSettings& settings = coarse.settings;
-  const Array<double> weight =
-      closeness_weights(coarse.within, coarse.faces, coarse.spacing, settings.closeness, job);
+  const Array<double> weight = closeness_weights(coarse.within, coarse.faces, coarse.spacing, settings.closeness, job);
   Array<Vec3> normal = coarse.faces.normal;
   for (int round = 0; settings.fine && round < settings.fine_rounds; ++round) {
     normal = filter_normals(coarse.within, weight, normal, normal, settings.fine_range, job);
@@ -53,8 +52,8 @@ Array<Vec3> fine_normals(const CoarseResult& coarse, Job& job) {
 
 PassOutput hold_to_limits(const PassInput& input, const GuidedSettings& settings, const NoiseEstimate& estimate,
                           const Array<Vec3>& normal, Array<Vec3> position) {
-  const Array<double> limit = displacement_limits(input.mesh, estimate.deviation,
-                                                  settings.most_deviations * settings.noise_scale, input.job);
+  const Array<double> limit =
+      displacement_limits(input.mesh, estimate.deviation, settings.most_deviations * settings.noise_scale, input.job);
   Array<std::uint8_t> bounded(input.mesh.size(), 0);
   limit_displacements(input.position, limit, position, bounded, input.job);
   keep_faces_upright(input.mesh, input.position, normal, limit, position, bounded, input.job);

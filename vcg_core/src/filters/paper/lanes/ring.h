@@ -19,9 +19,9 @@ struct RingFace {
   std::uint8_t slot_at_previous;  ///< the same for `previous`
 };
 
-/// The faces of all vertices in the order of MeshTopology::star, as the march asks for them. Depends on the connectivity
-/// only. Spelled out on demand: the faces of near vertices lie close in memory, and a list of them would be the largest
-/// array of all.
+/// The faces of all vertices in the order of MeshTopology::star, as the march asks for them. Depends on the
+/// connectivity only. Spelled out on demand: the faces of near vertices lie close in memory, and a list of them would
+/// be the largest array of all.
 class Rings {
  public:
   /// @param mesh  referred to
