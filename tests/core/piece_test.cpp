@@ -68,7 +68,7 @@ Part part_of(const FlatMesh& whole, double side, double reach) {
 class Piece : public testing::TestWithParam<std::string> {};
 
 TEST_P(Piece, ComesOutAsInTheWhole) {
-  const FlatMesh shape = noisy_shape(GetParam(), 6000);
+  const FlatMesh shape = noisy_shape(GetParam(), 12000);
   const WholeMesh whole = whole_of(shape);
   const SmoothingParameters parameters;
   Packed<double> expected(shape);
@@ -95,6 +95,7 @@ TEST_P(Piece, ComesOutAsInTheWhole) {
       if (part.own_vertex[v])
         far += (packed.point(v) - expected.point(part.index[v])).Norm() > 1e-4 * whole.average_edge_length;
   }
+  // A distance next to the cut-off may come out on its other side, where patches are put together otherwise.
   EXPECT_LE(far, shape.points.size() / 10000);
   EXPECT_EQ(sum.vertices, report.vertices);
   EXPECT_EQ(sum.faces, report.faces);
