@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The filters of anisotropic_smooth in meshlab2: written by scripts/describe_for_meshlab2, as filters.json beside it.
 // What they do is in the library vcg_core; here are meshlab2's parameters in and its result out: docs/meshlab2.md.
 
