@@ -9,14 +9,16 @@ from .tables import COLUMNS, head, number, row, summary_row
 
 ABLATION = {
     "all parts": [],
-    "no guides: coarse rounds are bilateral": ["guide=0"],
-    "every best patch trusted (no guard for thin parts)": ["guard_thin_parts=0"],
+    "one stage of the blend": ["second_stage=0"],
     "last updates from the coarse positions": ["restart=0"],
     "no unfolding": ["unfold=0"],
-    "no detail brought back": ["recover_detail=0"],
     "one spacing for the whole mesh": ["follow_edge_length=0"],
     "spacing does not follow the noise": ["noise_spacing=0"],
-    "no fine rounds": ["fine=0"],
+    "no blend: fine rounds, and detail brought back": ["blend=0"],
+    "no blend, no guides: coarse rounds are bilateral": ["blend=0", "guide=0"],
+    "no blend, every best patch trusted (no guard for thin parts)": ["blend=0", "guard_thin_parts=0"],
+    "no blend, no detail brought back": ["blend=0", "recover_detail=0"],
+    "no blend, no fine rounds": ["blend=0", "fine=0"],
 }
 
 # What could bring less drift within the surface: fewer position updates, less unfolding, other normals.
@@ -24,12 +26,9 @@ TRADE_OFF = {
     "as shipped: 30 last updates": [],
     **{f"{count} last updates": [f"final_updates={count}"] for count in (5, 10, 20, 60)},
     "half the unfolding step": ["unfold_step=0.25"],
-    "no unfolding": ["unfold=0"],
     "10 last updates, no unfolding": ["final_updates=10", "unfold=0"],
     "one update in a coarse round": ["coarse_updates=1"],
     "twice the coarse rounds": ["rounds_by_noise=40", "most_rounds=24"],
-    "ranges wider by a tenth": ["coarse_range=0.44", "fine_range=0.33"],
-    "ranges wider by a fifth": ["coarse_range=0.48", "fine_range=0.36"],
 }
 
 

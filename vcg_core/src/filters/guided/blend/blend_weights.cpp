@@ -529,12 +529,18 @@ static_assert(checksum(second_stage, std::size(second_stage)) == 976033389U, "se
 }  // namespace
 
 const NetworkTable& first_blend_weights() {
-  static const NetworkTable table{{first_stage_sizes[0], first_stage_sizes[1], first_stage_sizes[2], first_stage_sizes[3]}, first_stage, std::size(first_stage)};
+  static const NetworkTable table{
+      {first_stage_sizes[0], first_stage_sizes[1], first_stage_sizes[2], first_stage_sizes[3]},
+      first_stage,
+      std::size(first_stage)};
   return table;
 }
 
 const NetworkTable& second_blend_weights() {
-  static const NetworkTable table{{second_stage_sizes[0], second_stage_sizes[1], second_stage_sizes[2], second_stage_sizes[3]}, second_stage, std::size(second_stage)};
+  static const NetworkTable table{
+      {second_stage_sizes[0], second_stage_sizes[1], second_stage_sizes[2], second_stage_sizes[3]},
+      second_stage,
+      std::size(second_stage)};
   return table;
 }
 
