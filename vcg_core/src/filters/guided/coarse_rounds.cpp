@@ -26,6 +26,9 @@ void CoarseRounds::run() {
     filter_once();
     job_.report(0.1 + 0.4 * (round + 1) / rounds);
   }
+  // What the rounds after these do without.
+  Array<Index>().swap(across_);
+  Array<Vec3>().swap(noisy_faces_.centroid);
 }
 
 CoarseResult CoarseRounds::result() const {

@@ -163,18 +163,28 @@ Array<Vec3> without_outliers(const CoarseResult& coarse, Job& job) {
   return position;
 }
 
-void add_band_limited(const CoarseResult& coarse, const Array<Vec3>& position, const std::vector<double>& cut_offs,
-                      Job& job, Candidates& candidates) {
+/// The normals of band-limited positions, one array for each cut-off.
+std::vector<Array<Vec3f>> band_limited_normals(const CoarseResult& coarse, const Array<Vec3>& position,
+                                               const std::vector<double>& cut_offs, Job& job) {
+  std::vector<Array<Vec3f>> normals;
   FaceGeometry faces;
-  for (const Array<Vec3>& low : band_limited_positions(coarse.mesh, position, cut_offs, job)) {
+  for (Array<Vec3>& low : band_limited_positions(coarse.mesh, position, cut_offs, job)) {
     faces.measure(coarse.mesh, low, job);
-    candidates.normal.push_back(in_single(faces.normal, job));
+    Array<Vec3>().swap(low);
+    normals.push_back(in_single(faces.normal, job));
   }
+  return normals;
+}
+
+void add_normals(std::vector<Array<Vec3f>> normals, Candidates& candidates) {
+  for (Array<Vec3f>& normal : normals) candidates.normal.push_back(std::move(normal));
 }
 
 }  // namespace
 
 Candidates first_candidates(const CoarseResult& coarse, Job& job) {
+  // First, so that the memory of the positions is free again when the weights of the neighbourhoods come.
+  std::vector<Array<Vec3f>> low = band_limited_normals(coarse, without_outliers(coarse, job), first_cut_offs, job);
   const NeighbourhoodMean mean(coarse, coarse.faces, job);
   const double range = coarse.settings.fine_range;
   const Array<Vec3>& raw = coarse.noisy_faces.normal;
@@ -193,7 +203,7 @@ Candidates first_candidates(const CoarseResult& coarse, Job& job) {
   add(normal);
   normal = mean.guided(fine, normal, 4. / 3 * range);
   add(mean.guided(fine, normal, 4. / 3 * range));
-  add_band_limited(coarse, without_outliers(coarse, job), first_cut_offs, job, candidates);
+  add_normals(std::move(low), candidates);
 
   candidates.scalar.push_back(spread(coarse.around, coarse.faces.area, coarse.faces.normal, job));
   candidates.scalar.push_back(spread(coarse.around, coarse.faces.area, fine, job));
@@ -209,6 +219,7 @@ Candidates second_candidates(const CoarseResult& coarse, const Array<Vec3>& blen
   update_positions(coarse.mesh, blended, coarse.movable, updates, coarse.settings, position, job);
   FaceGeometry faces;
   faces.measure(coarse.mesh, position, job);
+  std::vector<Array<Vec3f>> low = band_limited_normals(coarse, position, second_cut_offs, job);
   const NeighbourhoodMean mean(coarse, faces, job);
   const double range = coarse.settings.fine_range;
   const Array<Vec3>& raw = coarse.noisy_faces.normal;
@@ -228,7 +239,7 @@ Candidates second_candidates(const CoarseResult& coarse, const Array<Vec3>& blen
   add(normal);
   add(mean.guided(blended, mean.guided(blended, normal, range), range));
   add(faces.normal);
-  add_band_limited(coarse, position, second_cut_offs, job, candidates);
+  add_normals(std::move(low), candidates);
 
   candidates.scalar.push_back(spread(coarse.around, faces.area, blended, job));
   candidates.scalar.push_back(fine_spread);

@@ -28,7 +28,7 @@ struct CoarseResult {
   const MeshArrays& mesh;
   const GuidedSettings& settings;
   const Array<Vec3>& noisy;         ///< positions
-  const FaceGeometry& noisy_faces;  ///< at the noisy positions
+  const FaceGeometry& noisy_faces;  ///< at the noisy positions; without centroids
   const Array<Vec3>& position;      ///< after the coarse rounds
   const FaceGeometry& faces;        ///< there
   const FaceLists& around;
