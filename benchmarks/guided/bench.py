@@ -4,29 +4,42 @@
 import json
 import subprocess
 import sys
+from collections import namedtuple
 
 from .methods import Methods
 from .runs import DATA, WORK, run
 
-VERTICES = 3000
-VOXEL_VERTICES = 10000
 LARGE = 35000
 
 
+class Drawing(namedtuple("Drawing", "seed vertices voxel_vertices")):
+    """What the files of the cases are made with."""
+
+    def tag(self):
+        return "" if self == TUNING else f"_{self.seed}"
+
+
+# The first is what constants were chosen by; the second was looked at once, when all was chosen.
+TUNING = Drawing(seed=7, vertices=3000, voxel_vertices=10000)
+FINAL = Drawing(seed=23, vertices=5000, voxel_vertices=14000)
+
+
 class Bench:
-    def __init__(self, folder, peers):
+    def __init__(self, folder, peers, drawing=TUNING):
+        self.drawing = drawing
         self.tool = folder / "anisosmooth"
         self.variant_tool = folder / "guided_variant"
         self.shapes_tool = folder / "write_clean_shapes"
         self.methods = Methods(self.tool, peers)
         self.variants = {}
 
-    def clean(self, case, vertices=VERTICES):
+    def clean(self, case, vertices=None):
         """The truth."""
         if case.slices:
             return self.voxels(case)[1]
         if case.direction == "given":
             return self.given(case, "original")
+        vertices = vertices or self.drawing.vertices
         path = WORK / f"{case.shape}_{vertices}.obj"
         if not path.exists():
             run(self.tool, "generate", case.shape, path, "--vertices", vertices, "--quiet")
@@ -44,26 +57,28 @@ class Bench:
 
     def voxels(self, case):
         """The surface of the voxels, and the shape itself."""
-        surface = WORK / f"{case.shape}_{case.slices}.obj"
-        truth = WORK / f"{case.shape}_{case.slices}_truth.obj"
+        surface = WORK / f"{case.shape}_{case.slices}{self.drawing.tag()}.obj"
+        truth = WORK / f"{case.shape}_{case.slices}{self.drawing.tag()}_truth.obj"
         if not surface.exists() or not truth.exists():
-            run(self.tool, "generate", case.shape, surface, "--vertices", VOXEL_VERTICES, "--slice-distance", case.slices,
+            run(self.tool, "generate", case.shape, surface, "--vertices", self.drawing.voxel_vertices, "--slice-distance", case.slices,
                 "--truth", truth, "--quiet")
         return surface, truth
 
-    def noisy(self, case, vertices=VERTICES):
+    def noisy(self, case, vertices=None):
         if case.slices:
             return self.voxels(case)[0]
         if case.direction == "given":
             return self.given(case, "noisy")
+        vertices = vertices or self.drawing.vertices
         path = WORK / (f"{case.shape}_{vertices}_{case.level}_{case.direction}" +
-                       (f"_{case.correlation}" if case.correlation else "") + ".obj")
+                       (f"_{case.correlation}" if case.correlation else "") + self.drawing.tag() + ".obj")
         if not path.exists():
-            run(self.tool, "noise", self.clean(case, vertices), path, "--level", case.level, "--seed", 7, "--direction",
+            run(self.tool, "noise", self.clean(case, vertices), path, "--level", case.level, "--seed",
+                self.drawing.seed, "--direction",
                 case.direction, "--correlation", case.correlation, "--quiet")
         return path
 
-    def measure(self, result, case, vertices=VERTICES):
+    def measure(self, result, case, vertices=None):
         done = subprocess.run([self.tool, "measure", result, self.clean(case, vertices), "--json"],
                               capture_output=True, text=True)
         if done.returncode != 0:
@@ -81,7 +96,7 @@ class Bench:
 
     def figures(self, name, case):
         """Figures of one method on one case. Those of peers are kept: they do not change with this project."""
-        kept = WORK / f"{'_'.join(map(str, case))}_{name}.json"
+        kept = WORK / f"{'_'.join(map(str, case))}{self.drawing.tag()}_{name}.json"
         foreign = name not in ("paper", "guided")
         if foreign and kept.exists():
             return json.loads(kept.read_text())

@@ -48,6 +48,15 @@ def further_cases():
     return cases
 
 
+def final_cases():
+    """Levels, correlations and slices that nothing was chosen by; to be looked at once."""
+    shapes = (*CAD, *THIN, *SMOOTH, "graded_cube")
+    cases = [Case(s, l, "normal") for s in shapes for l in (0.15, 0.25, 0.35)]
+    cases += [Case(s, 0.25, "any") for s in shapes]
+    cases += [Case(s, 0.25, "normal", correlation=1.5) for s in shapes]
+    return cases + [Case(s, 0, "voxels", slices=d) for s in VOXELS for d in (1, 2, 4)]
+
+
 def title(case):
     name = case.shape.replace("_", " ")
     if case.slices:
@@ -77,4 +86,11 @@ GROUPS = {
     "voxels": lambda c: c.slices == 1,
     "slices 3": lambda c: c.slices == 3,
     "slices 6": lambda c: c.slices == 6,
+}
+
+FINAL_GROUPS = {
+    "along normals": lambda c: is_base(c) and c.direction == "normal",
+    "any direction": GROUPS["any direction"],
+    "correlated over 1.5": GROUPS["correlated"],
+    **{f"voxels, slices {d}": lambda c, d=d: c.slices == d for d in (1, 2, 4)},
 }

@@ -2,7 +2,7 @@
 """The tables of docs/guided.md, in Markdown."""
 
 from .bench import LARGE
-from .cases import CAD, GROUPS, SMOOTH, THIN, Case, is_base, title
+from .cases import CAD, FINAL_GROUPS, GROUPS, SMOOTH, THIN, Case, is_base, title
 from .figures import average, drift_of, grading, sharp, volume, worst_against
 from .methods import BEST_TAUBIN, LATER_PEER, OWN, WINDOWED_SINC, rivals_of
 from .runs import WORK, run
@@ -40,6 +40,16 @@ def case_table(results, methods):
         errors = {m: results[m][case]["normal_error_mean"] for m in ("noisy", *methods)}
         best = min(errors.values())
         text += row([title(case), *(f"**{e:.2f}**" if e == best else f"{e:.2f}" for e in errors.values())])
+    return text
+
+
+def final_table(bench, cases, methods):
+    """Mean normal error on the final set, by kind of noise."""
+    text = head(["", *FINAL_GROUPS])
+    results = {name: {c: bench.figures(name, c) for c in cases} for name in ("noisy", *methods)}
+    results["guided, blend off"] = {c: bench.variant(["blend=0"], c) for c in cases}
+    for name, figures in results.items():
+        text += row([name, *(number(average(figures, "normal_error_mean", of), 2) for of in FINAL_GROUPS.values())])
     return text
 
 
