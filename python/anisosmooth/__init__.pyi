@@ -67,6 +67,7 @@ def smooth(
     strength: float | None = None,
     feature_angle: float | None = None,
     smooth_color: bool | None = None,
+    blend: Literal["on", "off"] | None = None,
     selected: npt.ArrayLike | None = None,
     weights: npt.ArrayLike | None = None,
     creases: npt.ArrayLike | None = None,

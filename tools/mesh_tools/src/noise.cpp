@@ -75,6 +75,7 @@ std::vector<Move> draw_moves(const Mesh& mesh, const NoiseModel& model, const st
 void correlate_moves(const Mesh& mesh, double length, const std::vector<std::size_t>& first, const NoiseModel& model,
                      std::vector<Move>& moves) {
   std::vector<vcg::Point3d> field;
+  field.reserve(moves.size());
   const bool as_vectors = !model.camera && model.direction == NoiseDirection::any;
   for (const Move& move : moves)
     field.push_back(as_vectors ? move.direction * move.length : vcg::Point3d(move.length, 0, 0));

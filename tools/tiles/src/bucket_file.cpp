@@ -90,6 +90,7 @@ void BucketFile::make(const std::filesystem::path& path, const std::filesystem::
   std::map<std::uint32_t, Cell> cells;
   for (const std::uint32_t number : cell_of) ++cells.try_emplace(number, Cell{number, 0, 0}).first->second.vertices;
   std::vector<Cell> cell;
+  cell.reserve(cells.size());
   for (const auto& [number, entry] : cells) cell.push_back(entry);
   const auto place_of_cell = [&](std::uint32_t number) {
     const auto found =
