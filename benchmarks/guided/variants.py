@@ -7,18 +7,22 @@ from .methods import rivals_of
 from .runs import say
 from .tables import COLUMNS, head, number, row, summary_row
 
-ABLATION = {
+# Of the filter without its blend.
+CLASSICAL = {
     "all parts": [],
-    "one stage of the blend": ["second_stage=0"],
+    "no guides: coarse rounds are bilateral": ["guide=0"],
+    "every best patch trusted (no guard for thin parts)": ["guard_thin_parts=0"],
     "last updates from the coarse positions": ["restart=0"],
     "no unfolding": ["unfold=0"],
+    "no detail brought back": ["recover_detail=0"],
     "one spacing for the whole mesh": ["follow_edge_length=0"],
     "spacing does not follow the noise": ["noise_spacing=0"],
-    "no blend: fine rounds, and detail brought back": ["blend=0"],
-    "no blend, no guides: coarse rounds are bilateral": ["blend=0", "guide=0"],
-    "no blend, every best patch trusted (no guard for thin parts)": ["blend=0", "guard_thin_parts=0"],
-    "no blend, no detail brought back": ["blend=0", "recover_detail=0"],
-    "no blend, no fine rounds": ["blend=0", "fine=0"],
+    "no fine rounds": ["fine=0"],
+}
+ABLATION = {
+    "with the blend": [],
+    "one stage of the blend": ["second_stage=0"],
+    **{f"without the blend: {name}": ["blend=0", *settings] for name, settings in CLASSICAL.items()},
 }
 
 # What could bring less drift within the surface: fewer position updates, less unfolding, other normals.
