@@ -45,8 +45,8 @@ bool is_whole(PlyLayout::Type type);
 /// Calls visit(number) with a number of the type, whatever its value.
 template <class Visit>
 decltype(auto) visit_type(PlyLayout::Type type, const Visit& visit) {
-  switch (type) {  // NOLINT(bugprone-branch-clone): the same text, of another type each
-    case PlyLayout::Type::int8:
+  switch (type) {
+    case PlyLayout::Type::int8:  // NOLINT(bugprone-branch-clone): the same text, of another type each
       return visit(std::int8_t());
     case PlyLayout::Type::uint8:
       return visit(std::uint8_t());
