@@ -89,11 +89,12 @@ std::optional<Samples> samples_of(std::uint64_t seed, std::size_t number, const 
   double mean_area = 0;
   for (const double area : result.noisy_faces.area) mean_area += area / static_cast<double>(mesh.face.size());
   samples.weight.resize(count);
-  std::vector<float> lanes;
+  NetworkInputs face_inputs;
   for (Eigen::Index i = 0; i < count; ++i) {
     const std::size_t f = drawn[static_cast<std::size_t>(i)];
-    network_inputs(candidates, f, 1, lanes);
-    for (Eigen::Index k = 0; k < inputs; ++k) samples.input(k, i) = lanes[static_cast<std::size_t>(k) * block];
+    face_inputs.fill(candidates, f, 1);
+    for (Eigen::Index k = 0; k < inputs; ++k)
+      samples.input(k, i) = face_inputs.value[static_cast<std::size_t>(k) * block];
     for (std::size_t c = 0; c < candidates.size(); ++c) samples.candidate[c].col(i) = candidates.normal[c][f];
     for (int axis = 0; axis < 3; ++axis) samples.truth(axis, i) = static_cast<float>(truth[f][axis]);
     // Between a mean over faces and one over areas, so that slivers count for less.

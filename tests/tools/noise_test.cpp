@@ -47,21 +47,27 @@ TEST(Noise, along_normals_is_gaussian_of_the_stated_deviation) {
   EXPECT_NEAR(fourth / n, 3, 4 * std::sqrt(96 / n));
 }
 
+/// The mesh as separate triangles, and of which of its vertices each corner is.
+std::pair<Mesh, std::vector<std::size_t>> separate_triangles(const Mesh& whole) {
+  std::pair<Mesh, std::vector<std::size_t>> result;
+  auto& [soup, origin] = result;
+  vcg::tri::Allocator<Mesh>::AddVertices(soup, 3 * whole.face.size());
+  vcg::tri::Allocator<Mesh>::AddFaces(soup, whole.face.size());
+  for (std::size_t f = 0; f < whole.face.size(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      soup.face[f].V(k) = &soup.vert[origin.size()];
+      soup.vert[origin.size()].P() = whole.face[f].cP(k);
+      origin.push_back(vcg::tri::Index(whole, whole.face[f].cV(k)));
+    }
+  return result;
+}
+
 /// Of a mesh of separate triangles the corners at one place go to one place, along the normal of the whole surface.
 TEST(Noise, moves_vertices_at_one_place_as_one) {
   const Mesh whole = mesh_tools::make_shape("cube", 600);
   const std::vector<vcg::Point3d> normals = mesh_tools::vertex_normals(whole);
   for (const NoiseDirection direction : {NoiseDirection::normal, NoiseDirection::any}) {
-    Mesh soup;
-    std::vector<std::size_t> origin;
-    vcg::tri::Allocator<Mesh>::AddVertices(soup, 3 * whole.face.size());
-    vcg::tri::Allocator<Mesh>::AddFaces(soup, whole.face.size());
-    for (std::size_t f = 0; f < whole.face.size(); ++f)
-      for (int k = 0; k < 3; ++k) {
-        soup.face[f].V(k) = &soup.vert[origin.size()];
-        soup.vert[origin.size()].P() = whole.face[f].cP(k);
-        origin.push_back(vcg::tri::Index(whole, whole.face[f].cV(k)));
-      }
+    auto [soup, origin] = separate_triangles(whole);
     const std::vector<vcg::Point3d> soup_normals = mesh_tools::vertex_normals(soup);
     const std::vector<vcg::Point3d> move = displacement_of(soup, 0.3, 5, direction);
     std::vector<std::size_t> copy_of(whole.vert.size(), move.size());
@@ -310,16 +316,7 @@ TEST(Noise, can_have_another_level_at_the_far_end) {
 /// Copies of a vertex move as one with all additions together.
 TEST(Noise, of_all_kinds_moves_vertices_at_one_place_as_one) {
   const Mesh whole = mesh_tools::make_shape("cube", 600);
-  Mesh soup;
-  std::vector<std::size_t> origin;
-  vcg::tri::Allocator<Mesh>::AddVertices(soup, 3 * whole.face.size());
-  vcg::tri::Allocator<Mesh>::AddFaces(soup, whole.face.size());
-  for (std::size_t f = 0; f < whole.face.size(); ++f)
-    for (int k = 0; k < 3; ++k) {
-      soup.face[f].V(k) = &soup.vert[origin.size()];
-      soup.vert[origin.size()].P() = whole.face[f].cP(k);
-      origin.push_back(vcg::tri::Index(whole, whole.face[f].cV(k)));
-    }
+  auto [soup, origin] = separate_triangles(whole);
   mesh_tools::NoiseModel model;
   model.level = 0.1;
   model.level_far = 0.3;

@@ -95,17 +95,21 @@ class PlyData {
   std::size_t index_ = 0;
 };
 
+/// The number whose bytes stand at `at`, in the other byte order than this machine's if swapped.
+template <class Number>
+Number number_at(const char* at, bool swapped) {
+  char raw[sizeof(Number)];
+  std::memcpy(raw, at, sizeof raw);
+  if (swapped) std::reverse(raw, raw + sizeof raw);
+  Number number;
+  std::memcpy(&number, raw, sizeof raw);
+  return number;
+}
+
 template <class Number, class Visit>
 void PlyData::visit_as(const char* at, std::size_t stride, std::size_t count, const Visit& visit) const {
   const bool swapped = is_swapped();
-  for (std::size_t i = 0; i < count; ++i, at += stride) {
-    char raw[sizeof(Number)];
-    std::memcpy(raw, at, sizeof raw);
-    if (swapped) std::reverse(raw, raw + sizeof raw);
-    Number number;
-    std::memcpy(&number, raw, sizeof raw);
-    visit(i, static_cast<double>(number));
-  }
+  for (std::size_t i = 0; i < count; ++i, at += stride) visit(i, static_cast<double>(number_at<Number>(at, swapped)));
 }
 
 template <class Visit>

@@ -64,20 +64,15 @@ class PlyNumbers {
     char* at = bytes_.data() + (first - bytes_.data());
     const bool swapped = is_swapped();
     for (std::size_t i = 0; i < count; ++i, at += stride) {
-      char raw[sizeof(Number)];
-      std::memcpy(raw, at, sizeof raw);
-      if (swapped) std::reverse(raw, raw + sizeof raw);
-      Number before;
-      std::memcpy(&before, raw, sizeof raw);
+      const auto before = number_at<Number>(at, swapped);
       const double wanted = now(i);
       if constexpr (std::is_integral_v<Number>) {
         if (static_cast<double>(before) != wanted) refuse_whole_numbers();
       } else {
         const auto number = static_cast<Number>(wanted);
         if (is_same_number(before, number)) continue;
-        std::memcpy(raw, &number, sizeof raw);
-        if (swapped) std::reverse(raw, raw + sizeof raw);
-        std::memcpy(at, raw, sizeof raw);
+        std::memcpy(at, &number, sizeof number);
+        if (swapped) std::reverse(at, at + sizeof number);
       }
     }
   }

@@ -2,7 +2,9 @@
 #include "band_limits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <vcg_core/detail/job.h>
 
@@ -19,21 +21,19 @@ constexpr double window_end = 2.6;  ///< terms below exp(-2.6^2 / 2) = 0.03 are 
 /// The neighbours of v along the creases at v, if there are exactly two; else v itself twice.
 std::array<Index, 2> crease_neighbours(const MeshArrays& mesh, Index v) {
   const MeshTopology& topology = mesh.topology;
-  std::array<Index, 2> found{v, v};
+  const std::array<Index, 2> none{v, v};
+  std::array<Index, 2> found = none;
   std::size_t count = 0;
-  const auto add = [&](Index u) {
-    if (std::find(found.begin(), found.begin() + std::min<std::size_t>(count, 2), u) !=
-        found.begin() + std::min<std::size_t>(count, 2))
-      return;
-    if (count < 2) found[count] = u;
-    ++count;
-  };
-  for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
-    const Index next = next_in_face(topology.star[s]), previous = previous_in_face(topology.star[s]);
-    if (topology.crease[previous]) add(vertex_of(mesh, next));
-    if (topology.crease[next]) add(vertex_of(mesh, previous));
-  }
-  return count == 2 ? found : std::array<Index, 2>{v, v};
+  for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s)
+    for (const auto& [end, opposite] :
+         {std::pair{next_in_face(topology.star[s]), previous_in_face(topology.star[s])},
+          std::pair{previous_in_face(topology.star[s]), next_in_face(topology.star[s])}}) {
+      const Index u = vertex_of(mesh, end);
+      if (!topology.crease[opposite] || u == found[0] || u == found[1]) continue;
+      if (count == 2) return none;
+      found[count++] = u;
+    }
+  return count == 2 ? found : none;
 }
 
 Vec3 mean_at(const MeshArrays& mesh, const Array<Vec3>& value, Index v) {

@@ -35,22 +35,21 @@ BlendNetwork::BlendNetwork(const NetworkTable& table) {
   }
 }
 
-void network_inputs(const Candidates& candidates, std::size_t first, std::size_t count, std::vector<float>& input) {
+void NetworkInputs::fill(const Candidates& candidates, std::size_t first, std::size_t count) {
   const std::size_t size = candidates.size();
-  input.resize(input_count(size, candidates.scalar.size()) * block);
-  // Candidates side by side: one row for each coordinate.
-  std::vector<float> coordinate(3 * size * block);
+  value.resize(input_count(size, candidates.scalar.size()) * block);
+  coordinate_.resize(3 * size * block);
   for (std::size_t c = 0; c < size; ++c)
     for (std::size_t lane = 0; lane < block; ++lane) {
       const Vec3f& n = candidates.normal[c][first + std::min(lane, count - 1)];
       for (std::size_t axis = 0; axis < 3; ++axis)
-        coordinate[(3 * c + axis) * block + lane] = n[static_cast<int>(axis)];
+        coordinate_[(3 * c + axis) * block + lane] = n[static_cast<int>(axis)];
     }
-  float* row = input.data();
+  float* row = value.data();
   for (std::size_t a = 0; a < size; ++a)
     for (std::size_t b = a + 1; b < size; ++b, row += block) {
-      const float* p = coordinate.data() + 3 * a * block;
-      const float* q = coordinate.data() + 3 * b * block;
+      const float* p = coordinate_.data() + 3 * a * block;
+      const float* q = coordinate_.data() + 3 * b * block;
       for (std::size_t lane = 0; lane < block; ++lane) {
         const float x = p[lane] - q[lane];
         const float y = p[block + lane] - q[block + lane];
@@ -67,11 +66,13 @@ void network_inputs(const Candidates& candidates, std::size_t first, std::size_t
 Array<Vec3> BlendNetwork::blend(const Candidates& candidates, Job& job) const {
   Array<Vec3> blended(candidates.normal.front().size());
   job.parallel(blended.size(), grain, Loop::minor, [&](Chunks& chunks) {
-    std::vector<float> values, sums;
+    NetworkInputs inputs;
+    std::vector<float> sums;
+    std::vector<float>& values = inputs.value;  // of the layers in turn
     while (chunks.next())
       for (std::size_t first = chunks.begin(); first < chunks.end(); first += block) {
         const std::size_t count = std::min(block, chunks.end() - first);
-        network_inputs(candidates, first, count, values);
+        inputs.fill(candidates, first, count);
         for (std::size_t i = 0; i < sizes_[0]; ++i)
           for (std::size_t lane = 0; lane < block; ++lane)
             values[i * block + lane] = (values[i * block + lane] - mean_[i]) * inverse_deviation_[i];

@@ -70,9 +70,16 @@ class BlendNetwork {
 /// Faces that are worked on at once, side by side, so that a compiler makes vectors of them of whatever width.
 constexpr std::size_t block = 16;
 
-/// The inputs of faces first to first + count - 1, count <= block; those beyond repeat the last one.
-/// @param input  one row for each input
-void network_inputs(const Candidates& candidates, std::size_t first, std::size_t count, std::vector<float>& input);
+/// The inputs of a block of faces; its memory serves the next block too.
+struct NetworkInputs {
+  /// Those of faces first to first + count - 1, count <= block; the lanes beyond repeat the last one.
+  void fill(const Candidates& candidates, std::size_t first, std::size_t count);
+
+  std::vector<float> value;  ///< one row of lanes for each input
+
+ private:
+  std::vector<float> coordinate_;  ///< one row of lanes for each coordinate of each candidate
+};
 
 /// Number of inputs for this many candidates and scalars.
 constexpr std::size_t input_count(std::size_t candidates, std::size_t scalars) {
