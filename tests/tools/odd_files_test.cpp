@@ -119,6 +119,15 @@ TEST_F(OddFiles, a_number_sign_belongs_to_a_name) {
   EXPECT_EQ(file.mesh.textures, std::vector<std::string>{"skin#1.png"});
 }
 
+TEST_F(OddFiles, a_number_sign_may_begin_the_name_of_a_material_file) {
+  write("#m.mtl", "newmtl red\nKd 1 0 0\n");
+  EXPECT_EQ(read("a.obj", "mtllib #m.mtl\nusemtl red\n" + obj).mesh.face[0].cC(), vcg::Color4b(255, 0, 0, 255));
+  // Where there is no such file it is a comment, or a file that is missing; which one, nobody can tell.
+  const MeshFile missing = read("b.obj", "mtllib #none.mtl\n" + obj);
+  ASSERT_EQ(missing.not_kept.size(), 1u);
+  EXPECT_NE(missing.not_kept[0].find("#none.mtl: cannot be read"), std::string::npos) << missing.not_kept[0];
+}
+
 TEST_F(OddFiles, opacity_is_what_d_says_and_tr_makes_nothing_invisible) {
   const auto alpha = [&](const std::string& lines) {
     write("m.mtl", "newmtl m\nKd 1 1 1\n" + lines);

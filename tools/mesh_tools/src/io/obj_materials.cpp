@@ -17,8 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string_view>;
 
-/// A name that may hold spaces: the words from `first` on.
+/// A name that may hold spaces: the words from `first` on; nothing if there are none.
 std::string name_of(const Words& words, std::size_t first = 1) {
+  if (first >= words.size()) return {};
   std::string name(words[first]);
   for (std::size_t i = first + 1; i < words.size(); ++i) name.append(" ").append(words[i]);
   return name;
