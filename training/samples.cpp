@@ -94,7 +94,7 @@ std::optional<Samples> samples_of(std::uint64_t seed, std::size_t number, const 
     const std::size_t f = drawn[static_cast<std::size_t>(i)];
     face_inputs.fill(candidates, f, 1);
     for (Eigen::Index k = 0; k < inputs; ++k)
-      samples.input(k, i) = face_inputs.value[static_cast<std::size_t>(k) * block];
+      samples.input(k, i) = face_inputs.row[static_cast<std::size_t>(k)].lane[0];
     for (std::size_t c = 0; c < candidates.size(); ++c) samples.candidate[c].col(i) = candidates.normal[c][f];
     for (int axis = 0; axis < 3; ++axis) samples.truth(axis, i) = static_cast<float>(truth[f][axis]);
     // Between a mean over faces and one over areas, so that slivers count for less.

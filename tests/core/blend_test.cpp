@@ -18,6 +18,7 @@
 #include "filters/guided/blend/blend.h"
 #include "filters/guided/blend/blend_network.h"
 #include "filters/guided/blend/blend_weights.h"
+#include "filters/guided/blend/layer_kernels.h"
 #include "filters/guided/coarse_rounds.h"
 #include "mesh/creases.h"
 
@@ -65,11 +66,41 @@ Eigen::MatrixXd in_rows(const Array<Vec3>& position) {
   return rows;
 }
 
+/// Closed, with borders, and a soup of faces that meet in any number at an edge, some turned the other way.
+std::vector<FlatMesh> meshes_of_all_kinds() {
+  FlatMesh soup;
+  mesh_tools::Random random(3);
+  for (int v = 0; v < 9; ++v) soup.points.emplace_back(random.uniform(), random.uniform(), random.uniform());
+  const auto any = [&] { return static_cast<std::size_t>(8 * random.uniform()); };
+  for (std::size_t a = 0; a < 8; ++a)
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t b = (a + 1 + any() % 3) % 8;
+      soup.faces.push_back({a, b, (b + 1 + any() % 4) % 8});
+      if (soup.faces.back()[2] == a) soup.faces.pop_back();
+    }
+  return {test_support::noisy_shape("torus", 300), test_support::noisy_shape("plane_delaunay", 200), soup};
+}
+
+TEST(Rings, CountANeighbourOnceForEachFace) {
+  for (const FlatMesh& shape : meshes_of_all_kinds()) {
+    Job job(no_progress, 2);
+    const MeshArrays mesh = arrays_of(shape, job);
+    const Rings rings(mesh, job);
+    ASSERT_EQ(rings.size(), mesh.size());
+    const Eigen::MatrixXd mean = ring_matrix(mesh) * in_rows(mesh.position);
+    for (std::size_t v = 0; v < mesh.size(); ++v) {
+      const bool alone = mesh.topology.star_begin[v] == mesh.topology.star_begin[v + 1];
+      const Vec3 expected = alone ? mesh.position[v] : Vec3(mean.row(static_cast<Eigen::Index>(v)));
+      EXPECT_LT((rings.mean(mesh.position, v) - expected).norm(), 1e-12) << v;
+    }
+  }
+}
+
 TEST(BandLimits, AreChebyshevPolynomialsInTheRingMean) {
   Job job(no_progress, 2);
   const MeshArrays mesh = arrays_of(test_support::noisy_shape("torus", 300), job);
   const std::vector<double> cut_offs{1.0, 0.4};
-  const std::vector<Array<Vec3>> low = band_limited_positions(mesh, mesh.position, cut_offs, job);
+  const std::vector<Array<Vec3>> low = band_limited_positions(mesh, Rings(mesh, job), mesh.position, cut_offs, job);
   const Eigen::MatrixXd w = ring_matrix(mesh);
   const Eigen::MatrixXd x = in_rows(mesh.position);
   for (std::size_t k = 0; k < cut_offs.size(); ++k) {
@@ -107,9 +138,9 @@ TEST(BandLimits, LeaveStraightCreasesStraight) {
   const Array<Index> place = vertex_of_host(mesh);
   Array<std::array<Index, 2>> ridge;
   for (std::size_t i = 0; i < 8; ++i) ridge.push_back({place[i], place[i + 1]});
-  const Array<Vec3> blunt = band_limited_positions(mesh, mesh.position, {0.8}, job)[0];
+  const Array<Vec3> blunt = band_limited_positions(mesh, Rings(mesh, job), mesh.position, {0.8}, job)[0];
   find_creases(mesh, ridge, job);
-  const Array<Vec3> sharp = band_limited_positions(mesh, mesh.position, {0.8}, job)[0];
+  const Array<Vec3> sharp = band_limited_positions(mesh, Rings(mesh, job), mesh.position, {0.8}, job)[0];
   EXPECT_LT(blunt[place[4]][2], -0.05);  // without creases the ridge sinks
   for (std::size_t i = 0; i < 9; ++i) {
     EXPECT_NEAR(sharp[place[i]][1], 0, 1e-12);
@@ -170,6 +201,33 @@ TEST(BlendNetwork, IsThatOfItsTable) {
     for (std::size_t a = 0; a < 4; ++a) sum += x[a] * c.candidates.normal[a][f].cast<double>();
     EXPECT_LT((blended[f] - sum.normalized()).norm(), 1e-4 / std::min(1.0, sum.norm())) << f;
   }
+}
+
+/// Outputs that fill the widest kernel's vectors, and some that are left over.
+TEST(LayerKernels, AllGiveTheBitsOfTheFormula) {
+  constexpr std::size_t inputs = 29;
+  for (const std::size_t outputs : {1, 7, 8, 14, 40})
+    for (const bool rectify : {false, true}) {
+      mesh_tools::Random random(outputs);
+      const auto normal = [&] { return static_cast<float>(random.normal()); };
+      std::vector<float> matrix(inputs * outputs), offset(outputs);
+      std::generate(matrix.begin(), matrix.end(), normal);
+      std::generate(offset.begin(), offset.end(), normal);
+      std::vector<BlockRow> in(inputs), out(outputs);
+      for (BlockRow& row : in) std::generate(std::begin(row.lane), std::end(row.lane), normal);
+      for (const LayerKernel* kernel : supported_layer_kernels()) {
+        kernel->apply({inputs, outputs, matrix.data(), offset.data(), rectify}, in.data(), out.data());
+        for (std::size_t o = 0; o < outputs; ++o)
+          for (std::size_t lane = 0; lane < block; ++lane) {
+            float sum = offset[o];
+            for (std::size_t i = 0; i < inputs; ++i) {
+              const float product = matrix[o * inputs + i] * in[i].lane[lane];
+              sum += product;
+            }
+            ASSERT_EQ(out[o].lane[lane], rectify && sum < 0 ? sum * 0.1F : sum) << kernel->name;
+          }
+      }
+    }
 }
 
 TEST(BlendNetwork, TakesTheSafeCandidateWhereTheSumIsShort) {

@@ -13,9 +13,9 @@
 namespace vcg_core::detail {
 
 CoarseRounds::CoarseRounds(const PassInput& input, const GuidedSettings& settings)
-    : in_(input), settings_(settings), job_(input.job), position_(input.position) {
+    : in_(input), settings_(settings), job_(input.job), position_(input.position), rings_(input.mesh, input.job) {
   noisy_faces_.measure(in_.mesh, position_, job_);
-  estimate_ = estimate_noise(in_.mesh, in_.position, noisy_faces_, job_);
+  estimate_ = estimate_noise(in_.mesh, rings_, in_.position, noisy_faces_, job_);
 }
 
 void CoarseRounds::run() {
@@ -32,8 +32,8 @@ void CoarseRounds::run() {
 }
 
 CoarseResult CoarseRounds::result() const {
-  return {in_.mesh, settings_, in_.position, noisy_faces_,        position_,  faces_,
-          around_,  within_,   spacing_,     estimate_.deviation, in_.movable};
+  return {in_.mesh, rings_,  settings_, in_.position, noisy_faces_,        position_,
+          faces_,   around_, within_,   spacing_,     estimate_.deviation, in_.movable};
 }
 
 void CoarseRounds::find_neighbourhoods() {

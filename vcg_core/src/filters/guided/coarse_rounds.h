@@ -7,6 +7,7 @@
 #include "filters/filter.h"
 #include "guided_settings.h"
 #include "noise_estimate.h"
+#include "rings.h"
 
 namespace vcg_core::detail {
 
@@ -35,6 +36,7 @@ class CoarseRounds {
   const GuidedSettings& settings_;
   Job& job_;
   Array<Vec3> position_;
+  Rings rings_;
   FaceGeometry noisy_faces_;
   FaceGeometry faces_;
   NoiseEstimate estimate_;

@@ -9,7 +9,6 @@
 #include "face_geometry.h"
 #include "mean_normals.h"
 #include "median.h"
-#include "ring_mean.h"
 
 namespace vcg_core::detail {
 
@@ -45,21 +44,22 @@ double share_of_shape(double energy, const GuidedSettings& settings) {
 
 }  // namespace
 
-void recover_detail(const MeshArrays& mesh, const Array<Vec3>& noisy, const Array<std::uint8_t>& movable,
-                    const GuidedSettings& settings, Array<Vec3>& position, Job& job) {
+void recover_detail(const MeshArrays& mesh, const Rings& rings, const Array<Vec3>& noisy,
+                    const Array<std::uint8_t>& movable, const GuidedSettings& settings, Array<Vec3>& position,
+                    Job& job) {
   double noise = -1;
   FaceGeometry faces;
-  for (const int rings : scales) {
+  for (const int scale : scales) {
     faces.measure(mesh, position, job);
     const Array<Vec3> normal = mean_normals(mesh, faces.normal, job);
     Array<double> residual(mesh.size());
     job.serial(residual.size(), [&](std::size_t v) { residual[v] = (noisy[v] - position[v]).dot(normal[v]); });
-    if (noise < 0) noise = settings.noise_scale * noise_of(residual, low_pass(mesh, residual, 1, job), job);
-    const Array<double> low = low_pass(mesh, residual, rings, job);
-    const double expected = noise * noise * variance_of_one_ring / rings;
+    if (noise < 0) noise = settings.noise_scale * noise_of(residual, low_pass(rings, residual, 1, job), job);
+    const Array<double> low = low_pass(rings, residual, scale, job);
+    const double expected = noise * noise * variance_of_one_ring / scale;
     Array<double> energy(low.size());
     job.serial(low.size(), [&](std::size_t v) { energy[v] = low[v] * low[v]; });
-    energy = low_pass(mesh, std::move(energy), energy_rings + rings, job);
+    energy = low_pass(rings, std::move(energy), energy_rings + scale, job);
     job.serial(low.size(), [&](std::size_t v) {
       if (!movable[v]) return;
       // Without any noise all of the residual is shape.

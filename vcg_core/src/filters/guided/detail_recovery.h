@@ -6,6 +6,7 @@
 #include <vcg_core/detail/mesh_arrays.h>
 
 #include "guided_settings.h"
+#include "rings.h"
 
 namespace vcg_core::detail {
 
@@ -18,7 +19,8 @@ namespace vcg_core::detail {
 /// New here; in the line of Wiener filtering and of the method noise of Buades, Coll, Morel 2005.
 /// @param noisy     the positions before filtering
 /// @param position  the filtered ones; changed
-void recover_detail(const MeshArrays& mesh, const Array<Vec3>& noisy, const Array<std::uint8_t>& movable,
-                    const GuidedSettings& settings, Array<Vec3>& position, Job& job);
+void recover_detail(const MeshArrays& mesh, const Rings& rings, const Array<Vec3>& noisy,
+                    const Array<std::uint8_t>& movable, const GuidedSettings& settings, Array<Vec3>& position,
+                    Job& job);
 
 }  // namespace vcg_core::detail

@@ -79,7 +79,7 @@ PassOutput guided_pass(const PassInput& input, const GuidedSettings& settings) {
   update_positions(input.mesh, normal, input.movable, settings.final_updates, settings, position, job);
   job.report(0.95);
   if (settings.recover_detail && !settings.blend)
-    recover_detail(input.mesh, input.position, input.movable, settings, position, job);
+    recover_detail(input.mesh, result.rings, input.position, input.movable, settings, position, job);
   return hold_to_limits(input, settings, coarse.estimate(), normal, std::move(position));
 }
 

@@ -8,7 +8,6 @@
 
 #include <vcg_core/detail/job.h>
 
-#include "ring_mean.h"
 #include "voxel_stairs.h"
 
 namespace vcg_core::detail {
@@ -57,7 +56,8 @@ constexpr int testimony_rings = 24;
 double ramp(double x, double from, double full) { return std::clamp((x - from) / (full - from), 0.0, 1.0); }
 
 /// Heights of the vertices above the mean of their one ring, along the mean normal of their faces; 0 without faces.
-Array<double> heights(const MeshArrays& mesh, const Array<Vec3>& position, const FaceGeometry& faces, Job& job) {
+Array<double> heights(const MeshArrays& mesh, const Rings& rings, const Array<Vec3>& position,
+                      const FaceGeometry& faces, Job& job) {
   const MeshTopology& topology = mesh.topology;
   Array<double> height(mesh.size());
   job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
@@ -69,7 +69,7 @@ Array<double> heights(const MeshArrays& mesh, const Array<Vec3>& position, const
         for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s)
           normal += faces.normal[topology.star[s] / 3];
         const double length = normal.norm();
-        if (length > 0) height[v] = (position[v] - ring_mean(mesh, position, v)).dot(normal) / length;
+        if (length > 0) height[v] = (position[v] - rings.mean(position, v)).dot(normal) / length;
       }
   });
   return height;
@@ -101,7 +101,7 @@ double second_smallest_jump(const MeshArrays& mesh, const Array<double>& height,
 }
 
 /// By vertex; zero on borders, where half of the ring is missing, and on creases, where height is shape.
-Array<Evidence> find_evidence(const MeshArrays& mesh, const Array<double>& height, Job& job) {
+Array<Evidence> find_evidence(const MeshArrays& mesh, const Rings& rings, const Array<double>& height, Job& job) {
   const MeshTopology& topology = mesh.topology;
   Array<double> inverse_valence(mesh.size());
   job.serial(mesh.size(), [&](std::size_t v) {
@@ -114,8 +114,8 @@ Array<Evidence> find_evidence(const MeshArrays& mesh, const Array<double>& heigh
         evidence[v].setZero();
         if (topology.border[v] || topology.is_on_crease(v) || topology.star_begin[v + 1] - topology.star_begin[v] < 3)
           continue;
-        const double product = height[v] * ring_mean(mesh, height, v);
-        const double of_ring = ring_mean(mesh, inverse_valence, v);
+        const double product = height[v] * rings.mean(height, v);
+        const double of_ring = rings.mean(inverse_valence, v);
         // Covariance of h at the ends of an edge with two triangles: -1/k_u - 1/k_v + 2 / (k_u k_v).
         const double covariance = inverse_valence[v] + of_ring - 2 * inverse_valence[v] * of_ring;
         const double jump = second_smallest_jump(mesh, height, v);
@@ -162,9 +162,10 @@ double root_mean_square(const Array<double>& value, Job& job) {
   return std::sqrt(sum / static_cast<double>(value.size()));
 }
 
-NoiseEstimate noise_of_stairs(const MeshArrays& mesh, const VoxelStairs& stairs, const FaceGeometry& faces, Job& job) {
+NoiseEstimate noise_of_stairs(const MeshArrays& mesh, const Rings& rings, const VoxelStairs& stairs,
+                              const FaceGeometry& faces, Job& job) {
   NoiseEstimate noise;
-  noise.deviation = deviations_by_stairs(mesh, stairs, faces, job);
+  noise.deviation = deviations_by_stairs(mesh, rings, stairs, faces, job);
   noise.mean = root_mean_square(noise.deviation, job);
   noise.evidence = 1;
   return noise;
@@ -182,17 +183,18 @@ Array<Testimony> find_testimony(const Array<Evidence>& own, const Array<Evidence
 
 }  // namespace
 
-NoiseEstimate estimate_noise(const MeshArrays& mesh, const Array<Vec3>& position, const FaceGeometry& faces, Job& job) {
-  if (const auto stairs = find_voxel_stairs(mesh, faces, job)) return noise_of_stairs(mesh, *stairs, faces, job);
-  const Array<Evidence> own = find_evidence(mesh, heights(mesh, position, faces, job), job);
-  const Array<Evidence> around = low_pass(mesh, own, evidence_rings, job);
+NoiseEstimate estimate_noise(const MeshArrays& mesh, const Rings& rings, const Array<Vec3>& position,
+                             const FaceGeometry& faces, Job& job) {
+  if (const auto stairs = find_voxel_stairs(mesh, faces, job)) return noise_of_stairs(mesh, rings, *stairs, faces, job);
+  const Array<Evidence> own = find_evidence(mesh, rings, heights(mesh, rings, position, faces, job), job);
+  const Array<Evidence> around = low_pass(rings, own, evidence_rings, job);
   Array<Testimony> testimony = find_testimony(own, around, job);
   Testimony all = Testimony::Zero();
   job.serial(testimony.size(), [&](std::size_t v) { all += testimony[v]; });
   const double share = all[asked] > 0 ? all[trusted] / all[asked] : 0;
   const double believed = ramp(share, believed_from, believed_full) * std::min(1.0, all[trusted] / full_count);
   const double of_all = believed * confidence_in(all) * variance_of(all);
-  testimony = low_pass(mesh, std::move(testimony), testimony_rings, job);
+  testimony = low_pass(rings, std::move(testimony), testimony_rings, job);
 
   NoiseEstimate noise;
   noise.evidence = share;

@@ -11,8 +11,6 @@
 
 #include <vcg_core/detail/job.h>
 
-#include "ring_mean.h"
-
 namespace vcg_core::detail {
 
 namespace {
@@ -200,8 +198,8 @@ std::optional<VoxelStairs> find_voxel_stairs(const MeshArrays& mesh, const FaceG
   return std::nullopt;
 }
 
-Array<double> deviations_by_stairs(const MeshArrays& mesh, const VoxelStairs& stairs, const FaceGeometry& faces,
-                                   Job& job) {
+Array<double> deviations_by_stairs(const MeshArrays& mesh, const Rings& rings, const VoxelStairs& stairs,
+                                   const FaceGeometry& faces, Job& job) {
   Array<Vec3> normal(mesh.size());
   job.serial(mesh.size(), [&](std::size_t v) {
     normal[v].setZero();
@@ -211,8 +209,8 @@ Array<double> deviations_by_stairs(const MeshArrays& mesh, const VoxelStairs& st
     }
   });
   const auto [finest, widest] = std::minmax_element(stairs.step.begin(), stairs.step.end());
-  const int rings = static_cast<int>(std::ceil(rings_a_step * std::min(*widest / *finest, most_steps)));
-  normal = low_pass(mesh, std::move(normal), rings, job);
+  const int times = static_cast<int>(std::ceil(rings_a_step * std::min(*widest / *finest, most_steps)));
+  normal = low_pass(rings, std::move(normal), times, job);
   Array<double> deviation(mesh.size());
   job.serial(mesh.size(), [&](std::size_t v) {
     const std::size_t k = stairs.pair[v];

@@ -5,20 +5,22 @@
 
 #include <vcg_core/detail/mesh_arrays.h>
 
+#include "../rings.h"
+
 namespace vcg_core::detail {
 
 /// Low-passes of the positions, one for each cut-off.
 ///
-/// W takes the mean over the one ring (ring_mean); on creases, over the two neighbours along the crease, and where
-/// creases end or meet it changes nothing. A wave of length L edges on a regular mesh has the eigenvalue cos(4.44 / L)
-/// of W. The low-pass multiplies that of cos(theta) by a step that falls from 1 to 0 at the cut-off, blurred by a
-/// normal distribution with a standard deviation of a third of the cut-off. It is a polynomial in W, summed by
-/// Chebyshev's recursion; all cut-offs share one recursion.
+/// W takes the mean over the ring, on creases over the two neighbours along the crease. A wave of length L edges on a
+/// regular mesh has the eigenvalue cos(4.44 / L) of W. The low-pass multiplies that of cos(theta) by a step that falls
+/// from 1 to 0 at the cut-off, blurred by a normal distribution with a standard deviation of a third of the cut-off. It
+/// is a polynomial in W, summed by Chebyshev's recursion; all cut-offs share one recursion.
 ///
 /// Source: Taubin, Zhang, Golub: Optimal surface smoothing as filter design, 1996, with the normal distribution in
 /// place of Hamming's window: its step does not ring.
+/// @param rings     without regard to creases
 /// @param cut_offs  theta, above 0 and below pi
-std::vector<Array<Vec3>> band_limited_positions(const MeshArrays& mesh, const Array<Vec3>& position,
+std::vector<Array<Vec3>> band_limited_positions(const MeshArrays& mesh, const Rings& rings, const Array<Vec3>& position,
                                                 const std::vector<double>& cut_offs, Job& job);
 
 /// The coefficients of Chebyshev's polynomials, from that of T_0 on; their sum is 1, so that the mean stays.

@@ -15,11 +15,9 @@ constexpr std::size_t grain = 64 * block;
 /// A sum of candidates that is shorter has no direction to rely on.
 constexpr double no_direction = 0.05;
 
-float rectified(float x) { return std::max(x, 0.1F * x); }
-
 }  // namespace
 
-BlendNetwork::BlendNetwork(const NetworkTable& table) {
+BlendNetwork::BlendNetwork(const NetworkTable& table, const LayerKernel& kernel) : kernel_(kernel) {
   const std::int16_t* next = table.value;
   const auto take = [&](std::vector<float>& values, std::size_t count) {
     values.resize(count);
@@ -30,36 +28,39 @@ BlendNetwork::BlendNetwork(const NetworkTable& table) {
   take(inverse_deviation_, sizes_[0]);
   for (float& deviation : inverse_deviation_) deviation = 1 / deviation;
   for (int k = 0; k < NetworkTable::layers; ++k) {
-    take(layer_[k].matrix, sizes_[k] * sizes_[k + 1]);
-    take(layer_[k].offset, sizes_[k + 1]);
+    take(weights_[k].matrix, sizes_[k] * sizes_[k + 1]);
+    take(weights_[k].offset, sizes_[k + 1]);
   }
+}
+
+Layer BlendNetwork::layer(int k) const {
+  return {sizes_[k], sizes_[k + 1], weights_[k].matrix.data(), weights_[k].offset.data(), k + 1 < NetworkTable::layers};
 }
 
 void NetworkInputs::fill(const Candidates& candidates, std::size_t first, std::size_t count) {
   const std::size_t size = candidates.size();
-  value.resize(input_count(size, candidates.scalar.size()) * block);
-  coordinate_.resize(3 * size * block);
+  row.resize(input_count(size, candidates.scalar.size()));
+  coordinate_.resize(3 * size);
   for (std::size_t c = 0; c < size; ++c)
     for (std::size_t lane = 0; lane < block; ++lane) {
       const Vec3f& n = candidates.normal[c][first + std::min(lane, count - 1)];
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        coordinate_[(3 * c + axis) * block + lane] = n[static_cast<int>(axis)];
+      for (std::size_t axis = 0; axis < 3; ++axis) coordinate_[3 * c + axis].lane[lane] = n[static_cast<int>(axis)];
     }
-  float* row = value.data();
+  BlockRow* next = row.data();
   for (std::size_t a = 0; a < size; ++a)
-    for (std::size_t b = a + 1; b < size; ++b, row += block) {
-      const float* p = coordinate_.data() + 3 * a * block;
-      const float* q = coordinate_.data() + 3 * b * block;
+    for (std::size_t b = a + 1; b < size; ++b, ++next) {
+      const BlockRow* p = coordinate_.data() + 3 * a;
+      const BlockRow* q = coordinate_.data() + 3 * b;
       for (std::size_t lane = 0; lane < block; ++lane) {
-        const float x = p[lane] - q[lane];
-        const float y = p[block + lane] - q[block + lane];
-        const float z = p[2 * block + lane] - q[2 * block + lane];
-        row[lane] = std::sqrt(x * x + y * y + z * z);
+        const float x = p[0].lane[lane] - q[0].lane[lane];
+        const float y = p[1].lane[lane] - q[1].lane[lane];
+        const float z = p[2].lane[lane] - q[2].lane[lane];
+        next->lane[lane] = std::sqrt(x * x + y * y + z * z);
       }
     }
   for (const Array<float>& scalar : candidates.scalar) {
-    for (std::size_t lane = 0; lane < block; ++lane) row[lane] = scalar[first + std::min(lane, count - 1)];
-    row += block;
+    for (std::size_t lane = 0; lane < block; ++lane) next->lane[lane] = scalar[first + std::min(lane, count - 1)];
+    ++next;
   }
 }
 
@@ -67,35 +68,25 @@ Array<Vec3> BlendNetwork::blend(const Candidates& candidates, Job& job) const {
   Array<Vec3> blended(candidates.normal.front().size());
   job.parallel(blended.size(), grain, Loop::minor, [&](Chunks& chunks) {
     NetworkInputs inputs;
-    std::vector<float> sums;
-    std::vector<float>& values = inputs.value;  // of the layers in turn
+    std::vector<BlockRow> outputs;
+    std::vector<BlockRow>& values = inputs.row;  // of the layers in turn
     while (chunks.next())
       for (std::size_t first = chunks.begin(); first < chunks.end(); first += block) {
         const std::size_t count = std::min(block, chunks.end() - first);
         inputs.fill(candidates, first, count);
         for (std::size_t i = 0; i < sizes_[0]; ++i)
-          for (std::size_t lane = 0; lane < block; ++lane)
-            values[i * block + lane] = (values[i * block + lane] - mean_[i]) * inverse_deviation_[i];
+          for (float& value : values[i].lane) value = (value - mean_[i]) * inverse_deviation_[i];
         for (int k = 0; k < NetworkTable::layers; ++k) {
-          sums.resize(sizes_[k + 1] * block);
-          for (std::size_t out = 0; out < sizes_[k + 1]; ++out) {
-            const float* weight = layer_[k].matrix.data() + out * sizes_[k];
-            float sum[block];
-            std::fill(std::begin(sum), std::end(sum), layer_[k].offset[out]);
-            for (std::size_t in = 0; in < sizes_[k]; ++in)
-              for (std::size_t lane = 0; lane < block; ++lane) sum[lane] += weight[in] * values[in * block + lane];
-            const bool last = k + 1 == NetworkTable::layers;
-            for (std::size_t lane = 0; lane < block; ++lane)
-              sums[out * block + lane] = last ? sum[lane] : rectified(sum[lane]);
-          }
-          values.swap(sums);
+          outputs.resize(sizes_[k + 1]);
+          kernel_.apply(layer(k), values.data(), outputs.data());
+          values.swap(outputs);
         }
         for (std::size_t lane = 0; lane < count; ++lane) {
           const std::size_t f = first + lane;
           const Vec3 safe = candidates.normal[safe_candidate][f].cast<double>();
           Vec3 sum = Vec3::Zero();
           for (std::size_t c = 0; c < candidates.size(); ++c)
-            sum += static_cast<double>(values[c * block + lane]) * candidates.normal[c][f].cast<double>();
+            sum += static_cast<double>(values[c].lane[lane]) * candidates.normal[c][f].cast<double>();
           const double length = sum.norm();
           blended[f] = length > no_direction ? Vec3(sum / length) : safe;
         }

@@ -8,6 +8,7 @@
 #include <vcg_core/detail/mesh_arrays.h>
 
 #include "candidates.h"
+#include "layer_kernels.h"
 
 namespace vcg_core::detail {
 
@@ -50,35 +51,35 @@ constexpr std::uint32_t checksum(const std::int16_t* value, std::size_t count) {
 /// filtered ones in a local frame; the coefficients from distances alone are this project's own.
 class BlendNetwork {
  public:
-  explicit BlendNetwork(const NetworkTable& table);
+  explicit BlendNetwork(const NetworkTable& table, const LayerKernel& kernel = *supported_layer_kernels().front());
 
   /// @param candidates  as many, with as many scalars, as the table is for
   Array<Vec3> blend(const Candidates& candidates, Job& job) const;
 
  private:
-  struct Layer {
+  struct Weights {
     std::vector<float> matrix;  ///< row by row
     std::vector<float> offset;
   };
 
+  Layer layer(int k) const;
+
   std::vector<float> mean_;
   std::vector<float> inverse_deviation_;
-  Layer layer_[NetworkTable::layers];
+  Weights weights_[NetworkTable::layers];
   std::size_t sizes_[NetworkTable::layers + 1];
+  const LayerKernel& kernel_;
 };
-
-/// Faces that are worked on at once, side by side, so that a compiler makes vectors of them of whatever width.
-constexpr std::size_t block = 16;
 
 /// The inputs of a block of faces; its memory serves the next block too.
 struct NetworkInputs {
   /// Those of faces first to first + count - 1, count <= block; the lanes beyond repeat the last one.
   void fill(const Candidates& candidates, std::size_t first, std::size_t count);
 
-  std::vector<float> value;  ///< one row of lanes for each input
+  std::vector<BlockRow> row;  ///< one for each input
 
  private:
-  std::vector<float> coordinate_;  ///< one row of lanes for each coordinate of each candidate
+  std::vector<BlockRow> coordinate_;  ///< one for each coordinate of each candidate
 };
 
 /// Number of inputs for this many candidates and scalars.

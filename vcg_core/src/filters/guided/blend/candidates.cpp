@@ -168,7 +168,7 @@ std::vector<Array<Vec3f>> band_limited_normals(const CoarseResult& coarse, const
                                                const std::vector<double>& cut_offs, Job& job) {
   std::vector<Array<Vec3f>> normals;
   FaceGeometry faces;
-  for (Array<Vec3>& low : band_limited_positions(coarse.mesh, position, cut_offs, job)) {
+  for (Array<Vec3>& low : band_limited_positions(coarse.mesh, coarse.rings, position, cut_offs, job)) {
     faces.measure(coarse.mesh, low, job);
     Array<Vec3>().swap(low);
     normals.push_back(in_single(faces.normal, job));

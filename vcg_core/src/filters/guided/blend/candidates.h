@@ -10,6 +10,7 @@
 #include "../face_geometry.h"
 #include "../face_neighborhoods.h"
 #include "../guided_settings.h"
+#include "../rings.h"
 
 namespace vcg_core::detail {
 
@@ -26,6 +27,7 @@ struct Candidates {
 /// What the guided filter has when its coarse rounds are done.
 struct CoarseResult {
   const MeshArrays& mesh;
+  const Rings& rings;
   const GuidedSettings& settings;
   const Array<Vec3>& noisy;         ///< positions
   const FaceGeometry& noisy_faces;  ///< at the noisy positions; without centroids

@@ -16,6 +16,8 @@ namespace {  // as in the other kernels
 /// so that all processors give the same bits.
 struct Simd {
   static constexpr unsigned lanes = 8;
+  /// Whether this processor has these vectors.
+  static bool supported() { return true; }
   struct Vector {
     Quad low, high;
   };

@@ -9,6 +9,8 @@ namespace {  // its own in every kernel: nothing compiled for one processor may 
 /// Eight floats in one AVX2 register.
 struct Simd {
   static constexpr unsigned lanes = 8;
+  /// Whether this processor has these vectors.
+  static bool supported() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
   using Vector = __m256;
   using Mask = __m256;
 

@@ -20,48 +20,48 @@ typedef std::int32_t QuadMask __attribute__((vector_size(16)));
 
 namespace quad {
 
-Quad set(float a, float b, float c, float d) { return Quad{a, b, c, d}; }
-Quad set(float x) { return x - Quad{}; }
-Quad load(const float* p) {
+inline Quad set(float a, float b, float c, float d) { return Quad{a, b, c, d}; }
+inline Quad set(float x) { return x - Quad{}; }
+inline Quad load(const float* p) {
   Quad x;
   __builtin_memcpy(&x, p, sizeof x);
   return x;
 }
-void store(float* p, Quad x) { __builtin_memcpy(p, &x, sizeof x); }
-Quad add(Quad a, Quad b) { return a + b; }
-Quad sub(Quad a, Quad b) { return a - b; }
-Quad mul(Quad a, Quad b) { return a * b; }
-Quad div(Quad a, Quad b) { return a / b; }
+inline void store(float* p, Quad x) { __builtin_memcpy(p, &x, sizeof x); }
+inline Quad add(Quad a, Quad b) { return a + b; }
+inline Quad sub(Quad a, Quad b) { return a - b; }
+inline Quad mul(Quad a, Quad b) { return a * b; }
+inline Quad div(Quad a, Quad b) { return a / b; }
 #ifdef __ARM_NEON  // one instruction, where compilers make two of the comparison
-Quad min(Quad a, Quad b) { return vminnmq_f32(a, b); }
-Quad max(Quad a, Quad b) { return vmaxnmq_f32(a, b); }
+inline Quad min(Quad a, Quad b) { return vminnmq_f32(a, b); }
+inline Quad max(Quad a, Quad b) { return vmaxnmq_f32(a, b); }
 #else
-Quad min(Quad a, Quad b) { return a < b ? a : b; }
-Quad max(Quad a, Quad b) { return a > b ? a : b; }
+inline Quad min(Quad a, Quad b) { return a < b ? a : b; }
+inline Quad max(Quad a, Quad b) { return a > b ? a : b; }
 #endif
-Quad abs(Quad a) { return reinterpret_cast<Quad>(reinterpret_cast<QuadMask>(a) & 0x7fffffff); }
-Quad sqrt(Quad a) {
+inline Quad abs(Quad a) { return reinterpret_cast<Quad>(reinterpret_cast<QuadMask>(a) & 0x7fffffff); }
+inline Quad sqrt(Quad a) {
   for (unsigned i = 0; i < 4; ++i) a[i] = __builtin_sqrtf(a[i]);
   return a;
 }
-QuadMask less(Quad a, Quad b) { return a < b; }
-QuadMask both(QuadMask a, QuadMask b) { return a & b; }
-bool any_of(QuadMask a, QuadMask b) {
+inline QuadMask less(Quad a, Quad b) { return a < b; }
+inline QuadMask both(QuadMask a, QuadMask b) { return a & b; }
+inline bool any_of(QuadMask a, QuadMask b) {
   const QuadMask either = a | b;
   std::uint64_t all[2];
   __builtin_memcpy(all, &either, sizeof either);
   return (all[0] | all[1]) != 0;
 }
-Quad select(QuadMask m, Quad yes, Quad no) {
+inline Quad select(QuadMask m, Quad yes, Quad no) {
   return reinterpret_cast<Quad>((m & reinterpret_cast<QuadMask>(yes)) | (~m & reinterpret_cast<QuadMask>(no)));
 }
-float lowest(Quad a) {
+inline float lowest(Quad a) {
   const float x = a[0] < a[1] ? a[0] : a[1];
   const float y = a[2] < a[3] ? a[2] : a[3];
   return x < y ? x : y;
 }
 /// 2^n for whole n in [-126, 127].
-Quad power_of_two(Quad n) { return reinterpret_cast<Quad>((__builtin_convertvector(n, QuadMask) + 127) << 23); }
+inline Quad power_of_two(Quad n) { return reinterpret_cast<Quad>((__builtin_convertvector(n, QuadMask) + 127) << 23); }
 
 }  // namespace quad
 }  // namespace

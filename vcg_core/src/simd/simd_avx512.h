@@ -9,6 +9,11 @@ namespace {  // its own in every kernel: nothing compiled for one processor may 
 /// Sixteen floats in one AVX-512 register.
 struct Simd {
   static constexpr unsigned lanes = 16;
+  /// Whether this processor has these vectors.
+  static bool supported() {
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+  }
   using Vector = __m512;
   using Mask = __mmask16;
 
