@@ -85,7 +85,7 @@ Array<Index> find_leaders(const MeshArrays& mesh, const VertexAttributes& attrib
 class AttributeRound {
  public:
   AttributeRound(const MeshArrays& mesh, const Array<Vec3>& normal, const Array<Index>& leader, std::size_t channels,
-                 const RangeWeight& similar)
+                 const RangeWeight<double>& similar)
       : mesh_(mesh), normal_(normal), leader_(leader), channels_(channels), similar_(similar) {}
 
   void visit(Index v, const Array<double>& value, Array<double>& smoothed) {
@@ -110,7 +110,7 @@ class AttributeRound {
   const Array<Vec3>& normal_;
   const Array<Index>& leader_;
   std::size_t channels_;
-  const RangeWeight& similar_;
+  const RangeWeight<double>& similar_;
   std::vector<WeightedMean> means_;  ///< of the copies of one vertex
 };
 
@@ -121,7 +121,7 @@ void smooth_attributes(const MeshArrays& mesh, const Array<Vec3>& position, cons
   const std::size_t channels = attributes.channels();
   if (channels == 0) return;
   const Array<Vec3> normal = vertex_normals(mesh, position, job);
-  const RangeWeight similar(settings.fine_range);
+  const RangeWeight<double> similar(settings.fine_range);
   const Array<Index> leader = find_leaders(mesh, attributes, job);
   Array<double> smoothed = attributes.value;
   for (int ring = 0; ring < rings; ++ring) {

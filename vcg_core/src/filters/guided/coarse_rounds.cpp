@@ -50,10 +50,12 @@ int CoarseRounds::rounds_for_noise() const {
 }
 
 void CoarseRounds::filter_once() {
-  const Array<double> weight = closeness_weights(within_, faces_, spacing_, settings_.closeness, job_);
+  const Array<float> weight = closeness_weights(within_, faces_, spacing_, settings_.closeness, job_);
   const Array<Vec3> guide =
       settings_.guide ? guide_normals(around_, across_, faces_, faces_.normal, settings_, job_) : faces_.normal;
-  const Array<Vec3> normal = filter_normals(within_, weight, guide, faces_.normal, settings_.coarse_range, job_);
+  const Array<Vec3> normal = in_double(filter_normals(within_, weight, in_single(guide, job_),
+                                                      in_single(faces_.normal, job_), settings_.coarse_range, job_),
+                                       job_);
   update_positions(in_.mesh, normal, in_.movable, settings_.coarse_updates, settings_, position_, job_);
   // From here on the normals are those of the faces as they lie: what the vertices could not follow is dropped.
   faces_.measure(in_.mesh, position_, job_);

@@ -96,7 +96,7 @@ double median_normal_difference(const Array<Vec3>& normal, const Array<Index>& a
 }
 
 Vec3 bilateral_mean(const FaceLists& around, Index f, const Array<double>& area, const Array<Vec3>& normal,
-                    const RangeWeight& weight) {
+                    const RangeWeight<double>& weight) {
   Vec3 sum = Vec3::Zero();
   for (const Index* g = around.first(f); g != around.last(f); ++g)
     sum += area[*g] * weight((normal[*g] - normal[f]).squaredNorm()) * normal[*g];
@@ -134,7 +134,7 @@ Array<Vec3> guide_normals(const FaceLists& around, const Array<Index>& across, c
 
   const double trusted = settings.patch_spread * median(spread) + settings.patch_spread_floor;
   const double refused = settings.patch_fade * trusted;
-  const RangeWeight weight(
+  const RangeWeight<double> weight(
       std::max(settings.ring_range_floor, settings.ring_range * median_normal_difference(normal, across)));
   job.parallel(count, grain, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())

@@ -41,13 +41,13 @@ PassOutput unchanged(const PassInput& input) {
 /// The normals after fine rounds: the filter without its blend.
 Array<Vec3> fine_normals(const CoarseResult& coarse, Job& job) {
   const GuidedSettings& settings = coarse.settings;
-  const Array<double> weight = closeness_weights(coarse.within, coarse.faces, coarse.spacing, settings.closeness, job);
-  Array<Vec3> normal = coarse.faces.normal;
+  const Array<float> weight = closeness_weights(coarse.within, coarse.faces, coarse.spacing, settings.closeness, job);
+  Array<UnitNormal> normal = in_single(coarse.faces.normal, job);
   for (int round = 0; settings.fine && round < settings.fine_rounds; ++round) {
     normal = filter_normals(coarse.within, weight, normal, normal, settings.fine_range, job);
     job.report(0.5 + 0.3 * (round + 1) / settings.fine_rounds);
   }
-  return normal;
+  return in_double(normal, job);
 }
 
 PassOutput hold_to_limits(const PassInput& input, const GuidedSettings& settings, const NoiseEstimate& estimate,

@@ -6,20 +6,22 @@
 namespace vcg_core::detail {
 
 /// max(0, 1 - x/32)^32 for x >= 0: exp(-x) to within 0.009, by six operations that every machine does alike.
-inline double nearly_exp_of_minus(double x) {
-  double power = std::max(0.0, 1 - x * (1.0 / 32));
+template <class Number>
+Number nearly_exp_of_minus(Number x) {
+  Number power = std::max(Number(0), 1 - x * Number(1.0 / 32));
   for (int squarings = 0; squarings < 5; ++squarings) power *= power;
   return power;
 }
 
 /// Gaussian of squared distances d^2, nearly exp(-d^2 / (2 sigma^2)).
+template <class Number>
 class RangeWeight {
  public:
-  explicit RangeWeight(double sigma) : factor_(0.5 / (sigma * sigma)) {}
-  double operator()(double squared_distance) const { return nearly_exp_of_minus(squared_distance * factor_); }
+  explicit RangeWeight(double sigma) : factor_(static_cast<Number>(0.5 / (sigma * sigma))) {}
+  Number operator()(Number squared_distance) const { return nearly_exp_of_minus(squared_distance * factor_); }
 
  private:
-  double factor_;
+  Number factor_;
 };
 
 }  // namespace vcg_core::detail

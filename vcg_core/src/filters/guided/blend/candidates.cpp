@@ -37,10 +37,16 @@ void for_each(std::size_t count, Job& job, const Body& body) {
   });
 }
 
-Array<Vec3f> in_single(const Array<Vec3>& normal, Job& job) {
-  Array<Vec3f> single(normal.size());
-  for_each(normal.size(), job, [&](std::size_t f) { single[f] = normal[f].cast<float>(); });
-  return single;
+Array<Vec3f> packed(const Array<UnitNormal>& normal, Job& job) {
+  Array<Vec3f> three(normal.size());
+  for_each(normal.size(), job, [&](std::size_t f) { three[f] = normal[f].head<3>(); });
+  return three;
+}
+
+Array<Vec3f> packed(const Array<Vec3>& normal, Job& job) {
+  Array<Vec3f> three(normal.size());
+  for_each(normal.size(), job, [&](std::size_t f) { three[f] = normal[f].cast<float>(); });
+  return three;
 }
 
 /// Means over the neighbourhood by closeness and area.
@@ -51,25 +57,16 @@ class NeighbourhoodMean {
         weight_(closeness_weights(coarse.within, faces, coarse.spacing, coarse.settings.closeness, job)),
         job_(job) {}
 
-  const Array<double>& weight() const { return weight_; }
-
-  Array<Vec3> of_normals(const Array<Vec3>& normal) const {
-    Array<Vec3> mean(normal.size());
-    for_each(normal.size(), job_, [&](std::size_t f) {
-      Vec3 sum = Vec3::Zero();
-      for (std::size_t k = within_.begin[f]; k < within_.begin[f + 1]; ++k) sum += weight_[k] * normal[within_.face[k]];
-      const double length = sum.norm();
-      mean[f] = length > 1e-12 ? Vec3(sum / length) : normal[f];
-    });
-    return mean;
+  Array<UnitNormal> of_normals(const Array<UnitNormal>& normal) const {
+    return mean_of_neighbourhoods(within_, weight_, normal, job_);
   }
 
   /// Bilateral mean of `normal` by the differences of `guide`.
-  Array<Vec3> guided(const Array<Vec3>& guide, const Array<Vec3>& normal, double range_sigma) const {
+  Array<UnitNormal> guided(const Array<UnitNormal>& guide, const Array<UnitNormal>& normal, double range_sigma) const {
     return filter_normals(within_, weight_, guide, normal, range_sigma, job_);
   }
 
-  Array<Vec3> bilateral(Array<Vec3> normal, double range_sigma, int rounds) const {
+  Array<UnitNormal> bilateral(Array<UnitNormal> normal, double range_sigma, int rounds) const {
     for (int round = 0; round < rounds; ++round) normal = guided(normal, normal, range_sigma);
     return normal;
   }
@@ -81,12 +78,12 @@ class NeighbourhoodMean {
     for (int time = 0; time < 3; ++time) {
       for_each(value.size(), job_, [&](std::size_t f) {
         Values sum = Values::Zero();
-        double total = 0;
+        float total = 0;
         for (std::size_t k = within_.begin[f]; k < within_.begin[f + 1]; ++k) {
-          sum += static_cast<float>(weight_[k]) * value[within_.face[k]];
+          sum += weight_[k] * value[within_.face[k]];
           total += weight_[k];
         }
-        mean[f] = total > 0 ? Values(sum / static_cast<float>(total)) : value[f];
+        mean[f] = total > 0 ? Values(sum / total) : value[f];
       });
       value.swap(mean);
     }
@@ -95,18 +92,18 @@ class NeighbourhoodMean {
 
  private:
   const FaceLists& within_;
-  Array<double> weight_;
+  Array<float> weight_;
   Job& job_;
 };
 
 /// sqrt(1 - length of the mean unit normal, by area, of the faces around), which grows with the angle between them.
-Array<float> spread(const FaceLists& around, const Array<double>& area, const Array<Vec3>& normal, Job& job) {
+Array<float> spread(const FaceLists& around, const Array<double>& area, const Array<UnitNormal>& normal, Job& job) {
   Array<float> result(normal.size());
   for_each(normal.size(), job, [&](std::size_t f) {
     Vec3 sum = Vec3::Zero();
     double total = 0;
     for (const Index* g = around.first(static_cast<Index>(f)); g != around.last(static_cast<Index>(f)); ++g) {
-      sum += area[*g] * normal[*g];
+      sum += area[*g] * normal[*g].head<3>().cast<double>();
       total += area[*g];
     }
     result[f] = total > 0 ? static_cast<float>(std::sqrt(std::max(0.0, 1 - sum.norm() / total))) : 0;
@@ -171,7 +168,7 @@ std::vector<Array<Vec3f>> band_limited_normals(const CoarseResult& coarse, const
   for (Array<Vec3>& low : band_limited_positions(coarse.mesh, coarse.rings, position, cut_offs, job)) {
     faces.measure(coarse.mesh, low, job);
     Array<Vec3>().swap(low);
-    normals.push_back(in_single(faces.normal, job));
+    normals.push_back(packed(faces.normal, job));
   }
   return normals;
 }
@@ -187,16 +184,17 @@ Candidates first_candidates(const CoarseResult& coarse, Job& job) {
   std::vector<Array<Vec3f>> low = band_limited_normals(coarse, without_outliers(coarse, job), first_cut_offs, job);
   const NeighbourhoodMean mean(coarse, coarse.faces, job);
   const double range = coarse.settings.fine_range;
-  const Array<Vec3>& raw = coarse.noisy_faces.normal;
+  const Array<UnitNormal> raw = in_single(coarse.noisy_faces.normal, job);
+  const Array<UnitNormal> filtered = in_single(coarse.faces.normal, job);
   Candidates candidates;
-  const auto add = [&](const Array<Vec3>& normal) { candidates.normal.push_back(in_single(normal, job)); };
+  const auto add = [&](const auto& normal) { candidates.normal.push_back(packed(normal, job)); };
   add(raw);
-  add(coarse.faces.normal);
-  Array<Vec3> fine = mean.bilateral(coarse.faces.normal, range, 4);
+  add(filtered);
+  Array<UnitNormal> fine = mean.bilateral(filtered, range, 4);
   add(fine);
   fine = mean.bilateral(std::move(fine), range, 12);
   add(fine);
-  Array<Vec3> normal = mean.of_normals(raw);
+  Array<UnitNormal> normal = mean.of_normals(raw);
   add(normal);
   add(mean.of_normals(mean.of_normals(normal)));
   normal = mean.guided(fine, raw, range);
@@ -205,7 +203,7 @@ Candidates first_candidates(const CoarseResult& coarse, Job& job) {
   add(mean.guided(fine, normal, 4. / 3 * range));
   add_normals(std::move(low), candidates);
 
-  candidates.scalar.push_back(spread(coarse.around, coarse.faces.area, coarse.faces.normal, job));
+  candidates.scalar.push_back(spread(coarse.around, coarse.faces.area, filtered, job));
   candidates.scalar.push_back(spread(coarse.around, coarse.faces.area, fine, job));
   candidates.scalar.push_back(spread(coarse.around, coarse.noisy_faces.area, raw, job));
   add_scalars(coarse, job, candidates);
@@ -222,26 +220,27 @@ Candidates second_candidates(const CoarseResult& coarse, const Array<Vec3>& blen
   std::vector<Array<Vec3f>> low = band_limited_normals(coarse, position, second_cut_offs, job);
   const NeighbourhoodMean mean(coarse, faces, job);
   const double range = coarse.settings.fine_range;
-  const Array<Vec3>& raw = coarse.noisy_faces.normal;
+  const Array<UnitNormal> raw = in_single(coarse.noisy_faces.normal, job);
+  const Array<UnitNormal> first = in_single(blended, job);
   Candidates candidates;
-  const auto add = [&](const Array<Vec3>& normal) { candidates.normal.push_back(in_single(normal, job)); };
+  const auto add = [&](const auto& normal) { candidates.normal.push_back(packed(normal, job)); };
   add(raw);
-  add(blended);
-  Array<Vec3> fine = mean.bilateral(blended, range, 3);
+  add(first);
+  Array<UnitNormal> fine = mean.bilateral(first, range, 3);
   add(fine);
   const Array<float> fine_spread = spread(coarse.around, faces.area, fine, job);
   add(mean.bilateral(std::move(fine), range, 7));
-  add(mean.bilateral(blended, range / 2, 6));
-  Array<Vec3> normal = mean.of_normals(blended);
+  add(mean.bilateral(first, range / 2, 6));
+  Array<UnitNormal> normal = mean.of_normals(first);
   add(normal);
   add(mean.of_normals(mean.of_normals(normal)));
-  normal = mean.guided(blended, raw, 2. / 3 * range);
+  normal = mean.guided(first, raw, 2. / 3 * range);
   add(normal);
-  add(mean.guided(blended, mean.guided(blended, normal, range), range));
+  add(mean.guided(first, mean.guided(first, normal, range), range));
   add(faces.normal);
   add_normals(std::move(low), candidates);
 
-  candidates.scalar.push_back(spread(coarse.around, faces.area, blended, job));
+  candidates.scalar.push_back(spread(coarse.around, faces.area, first, job));
   candidates.scalar.push_back(fine_spread);
   candidates.scalar.push_back(spread(coarse.around, coarse.noisy_faces.area, raw, job));
   add_scalars(coarse, job, candidates);

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vcg_core/detail/mesh_arrays.h>
+
+namespace vcg_core::detail {
+
+/// A unit normal, or zero, in single precision: what is averaged many times over. The fourth number is 0, so that a
+/// vector register takes a normal at once.
+using UnitNormal = Eigen::Vector4f;
+
+Array<UnitNormal> in_single(const Array<Vec3>& normal, Job& job);
+Array<Vec3> in_double(const Array<UnitNormal>& normal, Job& job);
+
+}  // namespace vcg_core::detail
