@@ -67,7 +67,7 @@ std::optional<Samples> samples_of(std::uint64_t seed, std::size_t number, const 
   CoarseRounds coarse(input, settings);
   if (!(coarse.noise() > 0)) return std::nullopt;
   coarse.run();
-  const CoarseResult result = coarse.result();
+  const CoarseResult result = coarse.take_result();
   Candidates candidates = first_candidates(result, job);
   if (first_stage != nullptr) candidates = second_candidates(result, first_stage->blend(candidates, job), job);
 
@@ -87,7 +87,7 @@ std::optional<Samples> samples_of(std::uint64_t seed, std::size_t number, const 
   samples.truth.resize(3, count);
   samples.family.assign(drawn.size(), example.family);
   double mean_area = 0;
-  for (const double area : result.noisy_faces.area) mean_area += area / static_cast<double>(mesh.face.size());
+  for (const double area : result.noisy_area) mean_area += area / static_cast<double>(mesh.face.size());
   samples.weight.resize(count);
   NetworkInputs face_inputs;
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -98,7 +98,7 @@ std::optional<Samples> samples_of(std::uint64_t seed, std::size_t number, const 
     for (std::size_t c = 0; c < candidates.size(); ++c) samples.candidate[c].col(i) = candidates.normal[c][f];
     for (int axis = 0; axis < 3; ++axis) samples.truth(axis, i) = static_cast<float>(truth[f][axis]);
     // Between a mean over faces and one over areas, so that slivers count for less.
-    samples.weight[i] = static_cast<float>(std::min(1.0, 0.3 + 0.7 * result.noisy_faces.area[f] / mean_area));
+    samples.weight[i] = static_cast<float>(std::min(1.0, 0.3 + 0.7 * result.noisy_area[f] / mean_area));
   }
   // Each mesh counts for how far it is above what can be reached on it.
   double best = 10;

@@ -178,7 +178,7 @@ struct RandomCase {
 TEST(BlendNetwork, IsThatOfItsTable) {
   Job job(no_progress, 2);
   const RandomCase c;
-  const Array<Vec3> blended = BlendNetwork(c.table()).blend(c.candidates, job);
+  const Array<Vec3> blended = in_double(BlendNetwork(c.table()).blend(c.candidates, job), job);
   for (std::size_t f = 0; f < 37; ++f) {
     std::vector<double> x;
     for (std::size_t a = 0; a < 4; ++a)
@@ -234,7 +234,7 @@ TEST(BlendNetwork, TakesTheSafeCandidateWhereTheSumIsShort) {
   Job job(no_progress, 1);
   RandomCase c;
   std::fill(c.value.begin() + 2 * 7, c.value.end(), std::int16_t(0));
-  const Array<Vec3> blended = BlendNetwork(c.table()).blend(c.candidates, job);
+  const Array<Vec3> blended = in_double(BlendNetwork(c.table()).blend(c.candidates, job), job);
   for (std::size_t f = 0; f < 37; ++f)
     EXPECT_EQ(blended[f], c.candidates.normal[safe_candidate][f].cast<double>()) << f;
 }
@@ -261,10 +261,10 @@ Array<Vec3> blended(const MeshArrays& mesh, Job& job) {
   const PassInput input{mesh, mesh.position, no_normals, movable, job};
   CoarseRounds coarse(input, settings);
   coarse.run();
-  const CoarseResult result = coarse.result();
+  CoarseResult result = coarse.take_result();
   // The networks fit the candidates that there are.
   EXPECT_EQ(first_candidates(result, job).size(), first_blend_weights().sizes[3]);
-  return blended_normals(result, job);
+  return in_double(blended_normals(result, job), job);
 }
 
 TEST(Blend, TurnsWithTheMesh) {
@@ -295,7 +295,7 @@ TEST(Blend, LeavesAPlaneAsItIs) {
     const std::size_t pairs = table->sizes[3] * (table->sizes[3] - 1) / 2;
     for (const float noise : {0.0F, 0.3F, 0.6F}) {
       candidates.scalar.assign(table->sizes[0] - pairs, Array<float>(20, noise));
-      for (const Vec3& normal : BlendNetwork(*table).blend(candidates, job))
+      for (const Vec3& normal : in_double(BlendNetwork(*table).blend(candidates, job), job))
         EXPECT_LT((normal - n.cast<double>()).norm(), 1e-6);
     }
   }

@@ -1,32 +1,68 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <vcg_core/detail/array.h>
 
+#include <cstdint>
+#include <limits>
+#include <new>
+
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
 
+// A sanitizer sees what is allocated by operator new only.
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define VCG_CORE_MAPS_MEMORY
+#ifdef __has_feature
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
+#undef VCG_CORE_MAPS_MEMORY
+#endif
+#endif
+#endif
+
 namespace vcg_core::detail {
+
+#ifdef VCG_CORE_MAPS_MEMORY
 
 namespace {
 
-/// Two large pages of 2 MiB: a block of that size holds a whole one, wherever it begins.
-constexpr std::size_t large = std::size_t(4) << 20;
-constexpr std::align_val_t page{4096};
+constexpr std::size_t large_page = std::size_t(2) << 20;
+/// A block of that size holds a whole large page, wherever it begins.
+constexpr std::size_t large = 2 * large_page;
+/// A multiple of every system's page.
+constexpr std::size_t page = std::size_t(64) << 10;
+
+std::size_t in_pages(std::size_t bytes) { return (bytes + page - 1) / page * page; }
 
 }  // namespace
 
+// Straight from the system and straight back to it: a heap keeps what is freed between two blocks, a third of all
+// memory where arrays of some dozen megabytes come and go.
 void* allocate_array(std::size_t bytes) {
   if (bytes < large) return ::operator new(bytes);
-  void* const block = ::operator new(bytes, page);
+  if (bytes > (std::numeric_limits<std::size_t>::max)() / 2) throw std::bad_alloc();
+  const std::size_t size = in_pages(bytes);
+  void* const whole = ::mmap(nullptr, size + large_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (whole == MAP_FAILED) throw std::bad_alloc();
+  char* const begin = static_cast<char*>(whole);
+  const std::size_t before = (large_page - reinterpret_cast<std::uintptr_t>(begin) % large_page) % large_page;
+  if (before > 0) ::munmap(begin, before);
+  if (before < large_page) ::munmap(begin + before + size, large_page - before);
 #ifdef MADV_HUGEPAGE
-  ::madvise(block, bytes, MADV_HUGEPAGE);  // a wish: where it is not granted, nothing is lost
+  ::madvise(begin + before, size, MADV_HUGEPAGE);  // a wish: where it is not granted, nothing is lost
 #endif
-  return block;
+  return begin + before;
 }
 
 void free_array(void* block, std::size_t bytes) noexcept {
   if (bytes < large) return ::operator delete(block);
-  ::operator delete(block, page);
+  ::munmap(block, in_pages(bytes));
 }
+
+#else
+
+void* allocate_array(std::size_t bytes) { return ::operator new(bytes); }
+void free_array(void* block, std::size_t /*bytes*/) noexcept { ::operator delete(block); }
+
+#endif
 
 }  // namespace vcg_core::detail

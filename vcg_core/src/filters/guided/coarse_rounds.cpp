@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <vcg_core/detail/job.h>
 
@@ -14,26 +15,36 @@ namespace vcg_core::detail {
 
 CoarseRounds::CoarseRounds(const PassInput& input, const GuidedSettings& settings)
     : in_(input), settings_(settings), job_(input.job), position_(input.position), rings_(input.mesh, input.job) {
-  noisy_faces_.measure(in_.mesh, position_, job_);
-  estimate_ = estimate_noise(in_.mesh, rings_, in_.position, noisy_faces_, job_);
+  faces_.measure(in_.mesh, position_, job_);
+  estimate_ = estimate_noise(in_.mesh, rings_, in_.position, faces_, job_);
 }
 
 void CoarseRounds::run() {
-  faces_ = noisy_faces_;
+  noisy_normal_ = in_single(faces_.normal, job_);
+  noisy_area_ = faces_.area;
   find_neighbourhoods();
   const int rounds = settings_.coarse_rounds > 0 ? settings_.coarse_rounds : rounds_for_noise();
   for (int round = 0; round < rounds; ++round) {
     filter_once();
     job_.report(0.1 + 0.4 * (round + 1) / rounds);
   }
-  // What the rounds after these do without.
   Array<Index>().swap(across_);
-  Array<Vec3>().swap(noisy_faces_.centroid);
 }
 
-CoarseResult CoarseRounds::result() const {
-  return {in_.mesh, rings_,  settings_, in_.position, noisy_faces_,        position_,
-          faces_,   around_, within_,   spacing_,     estimate_.deviation, in_.movable};
+CoarseResult CoarseRounds::take_result() {
+  return {in_.mesh,
+          settings_,
+          in_.movable,
+          in_.position,
+          estimate_.deviation,
+          std::move(rings_),
+          std::move(around_),
+          std::move(within_),
+          std::move(spacing_),
+          std::move(noisy_normal_),
+          std::move(noisy_area_),
+          std::move(position_),
+          std::move(faces_)};
 }
 
 void CoarseRounds::find_neighbourhoods() {

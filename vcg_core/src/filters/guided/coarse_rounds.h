@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "blend/candidates.h"
-#include "face_geometry.h"
-#include "face_neighborhoods.h"
+#include "coarse_result.h"
 #include "filters/filter.h"
-#include "guided_settings.h"
 #include "noise_estimate.h"
-#include "rings.h"
 
 namespace vcg_core::detail {
 
@@ -24,8 +20,8 @@ class CoarseRounds {
   /// Finds the neighbourhoods and filters normals and positions. To be called once, with noise() above 0.
   void run();
 
-  /// What run() has left. It holds references to this object and its input.
-  CoarseResult result() const;
+  /// What run() has left; to be called once. It refers to the estimate and to the input.
+  CoarseResult take_result();
 
  private:
   void find_neighbourhoods();
@@ -37,8 +33,9 @@ class CoarseRounds {
   Job& job_;
   Array<Vec3> position_;
   Rings rings_;
-  FaceGeometry noisy_faces_;
-  FaceGeometry faces_;
+  FaceGeometry faces_;  ///< at first the noisy ones
+  Array<UnitNormal> noisy_normal_;
+  Array<double> noisy_area_;
   NoiseEstimate estimate_;
   Array<Index> across_;
   FaceLists around_;

@@ -39,7 +39,7 @@ PassOutput unchanged(const PassInput& input) {
 }
 
 /// The normals after fine rounds: the filter without its blend.
-Array<Vec3> fine_normals(const CoarseResult& coarse, Job& job) {
+Array<UnitNormal> fine_normals(const CoarseResult& coarse, Job& job) {
   const GuidedSettings& settings = coarse.settings;
   const Array<float> weight = closeness_weights(coarse.within, coarse.faces, coarse.spacing, settings.closeness, job);
   Array<UnitNormal> normal = in_single(coarse.faces.normal, job);
@@ -47,7 +47,7 @@ Array<Vec3> fine_normals(const CoarseResult& coarse, Job& job) {
     normal = filter_normals(coarse.within, weight, normal, normal, settings.fine_range, job);
     job.report(0.5 + 0.3 * (round + 1) / settings.fine_rounds);
   }
-  return in_double(normal, job);
+  return normal;
 }
 
 PassOutput hold_to_limits(const PassInput& input, const GuidedSettings& settings, const NoiseEstimate& estimate,
@@ -72,9 +72,9 @@ PassOutput guided_pass(const PassInput& input, const GuidedSettings& settings) {
   CoarseRounds coarse(input, settings);
   if (!(coarse.noise() > 0)) return unchanged(input);
   coarse.run();
-  const CoarseResult result = coarse.result();
+  CoarseResult result = coarse.take_result();
   Job& job = input.job;
-  const Array<Vec3> normal = settings.blend ? blended_normals(result, job) : fine_normals(result, job);
+  const Array<Vec3> normal = in_double(settings.blend ? blended_normals(result, job) : fine_normals(result, job), job);
   Array<Vec3> position = settings.restart ? input.position : result.position;
   update_positions(input.mesh, normal, input.movable, settings.final_updates, settings, position, job);
   job.report(0.95);

@@ -8,8 +8,9 @@
 
 namespace vcg_core::detail {
 
-Array<Vec3> blended_normals(const CoarseResult& coarse, Job& job) {
-  Array<Vec3> normal = BlendNetwork(first_blend_weights()).blend(first_candidates(coarse, job), job);
+Array<UnitNormal> blended_normals(CoarseResult& coarse, Job& job) {
+  Array<UnitNormal> normal = BlendNetwork(first_blend_weights()).blend(first_candidates(coarse, job), job);
+  coarse.faces = FaceGeometry();
   job.report(0.7);
   if (coarse.settings.second_stage)
     normal = BlendNetwork(second_blend_weights()).blend(second_candidates(coarse, normal, job), job);

@@ -7,8 +7,8 @@
 
 namespace vcg_core::detail {
 
-/// The normals that the learned blend finds, in two stages. Its weights are those of blend_weights.cpp, which
-/// scripts/train makes.
-Array<Vec3> blended_normals(const CoarseResult& coarse, Job& job);
+/// The normals that the learned blend finds, in two stages. Frees the coarse faces after the first. Its weights are
+/// those of blend_weights.cpp, which scripts/train makes.
+Array<UnitNormal> blended_normals(CoarseResult& coarse, Job& job);
 
 }  // namespace vcg_core::detail

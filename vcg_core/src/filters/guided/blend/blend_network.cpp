@@ -64,8 +64,8 @@ void NetworkInputs::fill(const Candidates& candidates, std::size_t first, std::s
   }
 }
 
-Array<Vec3> BlendNetwork::blend(const Candidates& candidates, Job& job) const {
-  Array<Vec3> blended(candidates.normal.front().size());
+Array<UnitNormal> BlendNetwork::blend(const Candidates& candidates, Job& job) const {
+  Array<UnitNormal> blended(candidates.normal.front().size());
   job.parallel(blended.size(), grain, Loop::minor, [&](Chunks& chunks) {
     NetworkInputs inputs;
     std::vector<BlockRow> outputs;
@@ -83,12 +83,14 @@ Array<Vec3> BlendNetwork::blend(const Candidates& candidates, Job& job) const {
         }
         for (std::size_t lane = 0; lane < count; ++lane) {
           const std::size_t f = first + lane;
-          const Vec3 safe = candidates.normal[safe_candidate][f].cast<double>();
           Vec3 sum = Vec3::Zero();
           for (std::size_t c = 0; c < candidates.size(); ++c)
             sum += static_cast<double>(values[c].lane[lane]) * candidates.normal[c][f].cast<double>();
           const double length = sum.norm();
-          blended[f] = length > no_direction ? Vec3(sum / length) : safe;
+          if (length > no_direction) sum /= length;
+          const Vec3f& safe = candidates.normal[safe_candidate][f];
+          for (int k = 0; k < 3; ++k) blended[f][k] = length > no_direction ? static_cast<float>(sum[k]) : safe[k];
+          blended[f][3] = 0;
         }
       }
   });

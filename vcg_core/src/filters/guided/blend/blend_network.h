@@ -54,7 +54,7 @@ class BlendNetwork {
   explicit BlendNetwork(const NetworkTable& table, const LayerKernel& kernel = *supported_layer_kernels().front());
 
   /// @param candidates  as many, with as many scalars, as the table is for
-  Array<Vec3> blend(const Candidates& candidates, Job& job) const;
+  Array<UnitNormal> blend(const Candidates& candidates, Job& job) const;
 
  private:
   struct Weights {

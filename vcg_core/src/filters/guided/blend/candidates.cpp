@@ -37,6 +37,12 @@ void for_each(std::size_t count, Job& job, const Body& body) {
   });
 }
 
+/// Gives the memory of arrays back before others are made.
+template <class... Arrays>
+void release(Arrays&... arrays) {
+  (Arrays().swap(arrays), ...);
+}
+
 Array<Vec3f> packed(const Array<UnitNormal>& normal, Job& job) {
   Array<Vec3f> three(normal.size());
   for_each(normal.size(), job, [&](std::size_t f) { three[f] = normal[f].head<3>(); });
@@ -167,7 +173,7 @@ std::vector<Array<Vec3f>> band_limited_normals(const CoarseResult& coarse, const
   FaceGeometry faces;
   for (Array<Vec3>& low : band_limited_positions(coarse.mesh, coarse.rings, position, cut_offs, job)) {
     faces.measure(coarse.mesh, low, job);
-    Array<Vec3>().swap(low);
+    release(low);
     normals.push_back(packed(faces.normal, job));
   }
   return normals;
@@ -184,8 +190,8 @@ Candidates first_candidates(const CoarseResult& coarse, Job& job) {
   std::vector<Array<Vec3f>> low = band_limited_normals(coarse, without_outliers(coarse, job), first_cut_offs, job);
   const NeighbourhoodMean mean(coarse, coarse.faces, job);
   const double range = coarse.settings.fine_range;
-  const Array<UnitNormal> raw = in_single(coarse.noisy_faces.normal, job);
-  const Array<UnitNormal> filtered = in_single(coarse.faces.normal, job);
+  const Array<UnitNormal>& raw = coarse.noisy_normal;
+  Array<UnitNormal> filtered = in_single(coarse.faces.normal, job);
   Candidates candidates;
   const auto add = [&](const auto& normal) { candidates.normal.push_back(packed(normal, job)); };
   add(raw);
@@ -205,44 +211,48 @@ Candidates first_candidates(const CoarseResult& coarse, Job& job) {
 
   candidates.scalar.push_back(spread(coarse.around, coarse.faces.area, filtered, job));
   candidates.scalar.push_back(spread(coarse.around, coarse.faces.area, fine, job));
-  candidates.scalar.push_back(spread(coarse.around, coarse.noisy_faces.area, raw, job));
+  candidates.scalar.push_back(spread(coarse.around, coarse.noisy_area, raw, job));
+  release(filtered, fine, normal);
   add_scalars(coarse, job, candidates);
   add_context<8>(mean, {{{0, 1}, {0, 3}, {1, 3}, {3, 7}, {0, 9}, {3, 10}, {10, 12}, {12, 13}}}, job, candidates);
   return candidates;
 }
 
-Candidates second_candidates(const CoarseResult& coarse, const Array<Vec3>& blended, Job& job) {
+Candidates second_candidates(const CoarseResult& coarse, const Array<UnitNormal>& blended, Job& job) {
   constexpr int updates = 10;
   Array<Vec3> position = coarse.noisy;
-  update_positions(coarse.mesh, blended, coarse.movable, updates, coarse.settings, position, job);
+  update_positions(coarse.mesh, in_double(blended, job), coarse.movable, updates, coarse.settings, position, job);
   FaceGeometry faces;
   faces.measure(coarse.mesh, position, job);
   std::vector<Array<Vec3f>> low = band_limited_normals(coarse, position, second_cut_offs, job);
+  release(position);
   const NeighbourhoodMean mean(coarse, faces, job);
+  release(faces.centroid);
   const double range = coarse.settings.fine_range;
-  const Array<UnitNormal> raw = in_single(coarse.noisy_faces.normal, job);
-  const Array<UnitNormal> first = in_single(blended, job);
+  const Array<UnitNormal>& raw = coarse.noisy_normal;
   Candidates candidates;
   const auto add = [&](const auto& normal) { candidates.normal.push_back(packed(normal, job)); };
   add(raw);
-  add(first);
-  Array<UnitNormal> fine = mean.bilateral(first, range, 3);
+  add(blended);
+  Array<UnitNormal> fine = mean.bilateral(blended, range, 3);
   add(fine);
   const Array<float> fine_spread = spread(coarse.around, faces.area, fine, job);
-  add(mean.bilateral(std::move(fine), range, 7));
-  add(mean.bilateral(first, range / 2, 6));
-  Array<UnitNormal> normal = mean.of_normals(first);
+  add(mean.bilateral(fine, range, 7));
+  add(mean.bilateral(blended, range / 2, 6));
+  release(fine);
+  Array<UnitNormal> normal = mean.of_normals(blended);
   add(normal);
   add(mean.of_normals(mean.of_normals(normal)));
-  normal = mean.guided(first, raw, 2. / 3 * range);
+  normal = mean.guided(blended, raw, 2. / 3 * range);
   add(normal);
-  add(mean.guided(first, mean.guided(first, normal, range), range));
+  add(mean.guided(blended, mean.guided(blended, normal, range), range));
   add(faces.normal);
   add_normals(std::move(low), candidates);
 
-  candidates.scalar.push_back(spread(coarse.around, faces.area, first, job));
+  candidates.scalar.push_back(spread(coarse.around, faces.area, blended, job));
   candidates.scalar.push_back(fine_spread);
-  candidates.scalar.push_back(spread(coarse.around, coarse.noisy_faces.area, raw, job));
+  candidates.scalar.push_back(spread(coarse.around, coarse.noisy_area, raw, job));
+  release(normal, faces.normal, faces.area);
   add_scalars(coarse, job, candidates);
   add_context<6>(mean, {{{0, 1}, {1, 3}, {1, 8}, {1, 10}, {1, 11}, {0, 10}}}, job, candidates);
   return candidates;

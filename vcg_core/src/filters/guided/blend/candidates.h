@@ -7,10 +7,7 @@
 
 #include <vcg_core/detail/mesh_arrays.h>
 
-#include "../face_geometry.h"
-#include "../face_neighborhoods.h"
-#include "../guided_settings.h"
-#include "../rings.h"
+#include "../coarse_result.h"
 
 namespace vcg_core::detail {
 
@@ -24,30 +21,14 @@ struct Candidates {
   std::size_t size() const { return normal.size(); }
 };
 
-/// What the guided filter has when its coarse rounds are done.
-struct CoarseResult {
-  const MeshArrays& mesh;
-  const Rings& rings;
-  const GuidedSettings& settings;
-  const Array<Vec3>& noisy;         ///< positions
-  const FaceGeometry& noisy_faces;  ///< at the noisy positions; without centroids
-  const Array<Vec3>& position;      ///< after the coarse rounds
-  const FaceGeometry& faces;        ///< there
-  const FaceLists& around;
-  const FaceLists& within;
-  const Array<double>& spacing;
-  const Array<double>& noise;  ///< standard deviation by vertex
-  const Array<std::uint8_t>& movable;
-};
-
 /// The candidates of the first stage: the normals of the noisy faces; those after the coarse rounds; the latter after 4
 /// and after 16 fine rounds; the noisy ones averaged over the neighbourhood once and three times, without and with the
 /// finest ones as guide; and those of band-limited positions.
 Candidates first_candidates(const CoarseResult& coarse, Job& job);
 
-/// The candidates of the second stage, which refines the blend of the first one.
+/// The candidates of the second stage, which refines the blend of the first one. Needs no coarse faces.
 /// @param blended  by face
-Candidates second_candidates(const CoarseResult& coarse, const Array<Vec3>& blended, Job& job);
+Candidates second_candidates(const CoarseResult& coarse, const Array<UnitNormal>& blended, Job& job);
 
 /// Which candidate of a stage stands in where a blend has no direction.
 constexpr std::size_t safe_candidate = 1;

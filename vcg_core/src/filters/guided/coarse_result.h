@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include <vcg_core/detail/mesh_arrays.h>
+
+#include "face_geometry.h"
+#include "face_neighborhoods.h"
+#include "guided_settings.h"
+#include "rings.h"
+#include "unit_normals.h"
+
+namespace vcg_core::detail {
+
+/// What the guided filter has when its coarse rounds are done.
+struct CoarseResult {
+  const MeshArrays& mesh;
+  const GuidedSettings& settings;
+  const Array<std::uint8_t>& movable;
+  const Array<Vec3>& noisy;    ///< positions
+  const Array<double>& noise;  ///< standard deviation by vertex
+  Rings rings;
+  FaceLists around;
+  FaceLists within;
+  Array<double> spacing;
+  Array<UnitNormal> noisy_normal;  ///< by face, as the next
+  Array<double> noisy_area;
+  Array<Vec3> position;  ///< after the coarse rounds
+  FaceGeometry faces;    ///< there
+};
+
+}  // namespace vcg_core::detail
