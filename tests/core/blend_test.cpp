@@ -252,19 +252,39 @@ TEST(BlendTable, ShowsDamage) {
   EXPECT_EQ(second_blend_weights().count, values_in(second_blend_weights().sizes));
 }
 
-/// Blended normals of a mesh whose vertices may all move.
+/// The coarse rounds of a mesh whose vertices may all move.
+struct Coarse {
+  Coarse(const MeshArrays& mesh, Job& job)
+      : movable(mesh.size(), 1), input{mesh, mesh.position, no_normals, movable, job}, rounds(input, settings) {
+    rounds.run();
+  }
+
+  Array<std::uint8_t> movable;
+  Array<Vec3> no_normals;
+  GuidedSettings settings;
+  PassInput input;
+  CoarseRounds rounds;
+};
+
 Array<Vec3> blended(const MeshArrays& mesh, Job& job) {
   job.begin_stage("", 1);
-  Array<std::uint8_t> movable(mesh.size(), 1);
-  const Array<Vec3> no_normals;
-  const GuidedSettings settings;
-  const PassInput input{mesh, mesh.position, no_normals, movable, job};
-  CoarseRounds coarse(input, settings);
-  coarse.run();
-  CoarseResult result = coarse.take_result();
-  // The networks fit the candidates that there are.
-  EXPECT_EQ(first_candidates(result, job).size(), first_blend_weights().sizes[3]);
+  Coarse coarse(mesh, job);
+  CoarseResult result = coarse.rounds.take_result();
   return in_double(blended_normals(result, job), job);
+}
+
+TEST(Blend, NetworksFitTheCandidates) {
+  Job job(no_progress, 2);
+  job.begin_stage("", 1);
+  const MeshArrays mesh = arrays_of(test_support::noisy_shape("cube", 400), job);
+  Coarse coarse(mesh, job);
+  CoarseResult result = coarse.rounds.take_result();
+  const auto fits = [](const Candidates& candidates, const NetworkTable& table) {
+    EXPECT_EQ(candidates.size(), table.sizes[NetworkTable::layers]);
+    EXPECT_EQ(input_count(candidates.size(), candidates.scalar.size()), table.sizes[0]);
+  };
+  fits(first_candidates(result, job), first_blend_weights());
+  fits(second_candidates(result, result.noisy_normal, job), second_blend_weights());
 }
 
 TEST(Blend, TurnsWithTheMesh) {

@@ -10,7 +10,6 @@ namespace vcg_core::detail {
 
 Array<UnitNormal> blended_normals(CoarseResult& coarse, Job& job) {
   Array<UnitNormal> normal = BlendNetwork(first_blend_weights()).blend(first_candidates(coarse, job), job);
-  coarse.faces = FaceGeometry();
   job.report(0.7);
   if (coarse.settings.second_stage)
     normal = BlendNetwork(second_blend_weights()).blend(second_candidates(coarse, normal, job), job);

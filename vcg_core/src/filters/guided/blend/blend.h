@@ -7,7 +7,7 @@
 
 namespace vcg_core::detail {
 
-/// The normals that the learned blend finds, in two stages. Frees the coarse faces after the first. Its weights are
+/// The normals that the learned blend finds, in two stages. Frees the coarse faces. Its weights are
 /// those of blend_weights.cpp, which scripts/train makes.
 Array<UnitNormal> blended_normals(CoarseResult& coarse, Job& job);
 

@@ -2,6 +2,7 @@
 #include "candidates.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -77,19 +78,18 @@ class NeighbourhoodMean {
     return normal;
   }
 
-  /// Means of several values at once, three times over.
-  template <class Values>
-  Array<Values> of_values(Array<Values> value) const {
-    Array<Values> mean(value.size());
+  /// Means of four values at once, three times over.
+  Array<Eigen::Vector4f> of_values(Array<Eigen::Vector4f> value) const {
+    Array<Eigen::Vector4f> mean(value.size());
     for (int time = 0; time < 3; ++time) {
       for_each(value.size(), job_, [&](std::size_t f) {
-        Values sum = Values::Zero();
+        Eigen::Vector4f sum = Eigen::Vector4f::Zero();
         float total = 0;
         for (std::size_t k = within_.begin[f]; k < within_.begin[f + 1]; ++k) {
           sum += weight_[k] * value[within_.face[k]];
           total += weight_[k];
         }
-        mean[f] = total > 0 ? Values(sum / total) : value[f];
+        mean[f] = total > 0 ? Eigen::Vector4f(sum / total) : value[f];
       });
       value.swap(mean);
     }
@@ -131,21 +131,28 @@ void add_scalars(const CoarseResult& coarse, Job& job, Candidates& candidates) {
   candidates.scalar.push_back(std::move(size));
 }
 
+using Pair = std::array<std::size_t, 2>;
+
 /// Differences between candidates around the face, which tell more of noise and shape than those at the face alone.
-template <int Count>
-void add_context(const NeighbourhoodMean& mean, const std::array<std::array<int, 2>, Count>& pairs, Job& job,
-                 Candidates& candidates) {
-  using Values = Eigen::Matrix<float, Count, 1>;
-  Array<Values> difference(candidates.normal.front().size());
-  for_each(difference.size(), job, [&](std::size_t f) {
-    for (int p = 0; p < Count; ++p)
-      difference[f][p] = (candidates.normal[pairs[p][0]][f] - candidates.normal[pairs[p][1]][f]).norm();
-  });
-  difference = mean.of_values(std::move(difference));
-  for (int p = 0; p < Count; ++p) {
-    Array<float> one(difference.size());
-    for_each(one.size(), job, [&](std::size_t f) { one[f] = difference[f][p]; });
-    candidates.scalar.push_back(std::move(one));
+/// Some at a time, so that they take little memory.
+void add_context(const NeighbourhoodMean& mean, const std::vector<Pair>& pairs, Job& job, Candidates& candidates) {
+  constexpr std::size_t at_a_time = 4;
+  Array<Eigen::Vector4f> difference(candidates.normal.front().size());
+  for (std::size_t first = 0; first < pairs.size(); first += at_a_time) {
+    const std::size_t count = std::min(at_a_time, pairs.size() - first);
+    for_each(difference.size(), job, [&](std::size_t f) {
+      difference[f].setZero();
+      for (std::size_t p = 0; p < count; ++p) {
+        const auto [a, b] = pairs[first + p];
+        difference[f][static_cast<int>(p)] = (candidates.normal[a][f] - candidates.normal[b][f]).norm();
+      }
+    });
+    difference = mean.of_values(std::move(difference));
+    for (std::size_t p = 0; p < count; ++p) {
+      Array<float> one(difference.size());
+      for_each(one.size(), job, [&](std::size_t f) { one[f] = difference[f][static_cast<int>(p)]; });
+      candidates.scalar.push_back(std::move(one));
+    }
   }
 }
 
@@ -185,13 +192,15 @@ void add_normals(std::vector<Array<Vec3f>> normals, Candidates& candidates) {
 
 }  // namespace
 
-Candidates first_candidates(const CoarseResult& coarse, Job& job) {
+Candidates first_candidates(CoarseResult& coarse, Job& job) {
   // First, so that the memory of the positions is free again when the weights of the neighbourhoods come.
   std::vector<Array<Vec3f>> low = band_limited_normals(coarse, without_outliers(coarse, job), first_cut_offs, job);
   const NeighbourhoodMean mean(coarse, coarse.faces, job);
+  release(coarse.faces.centroid);
   const double range = coarse.settings.fine_range;
   const Array<UnitNormal>& raw = coarse.noisy_normal;
   Array<UnitNormal> filtered = in_single(coarse.faces.normal, job);
+  release(coarse.faces.normal);
   Candidates candidates;
   const auto add = [&](const auto& normal) { candidates.normal.push_back(packed(normal, job)); };
   add(raw);
@@ -212,9 +221,9 @@ Candidates first_candidates(const CoarseResult& coarse, Job& job) {
   candidates.scalar.push_back(spread(coarse.around, coarse.faces.area, filtered, job));
   candidates.scalar.push_back(spread(coarse.around, coarse.faces.area, fine, job));
   candidates.scalar.push_back(spread(coarse.around, coarse.noisy_area, raw, job));
-  release(filtered, fine, normal);
+  release(filtered, fine, normal, coarse.faces.area);
   add_scalars(coarse, job, candidates);
-  add_context<8>(mean, {{{0, 1}, {0, 3}, {1, 3}, {3, 7}, {0, 9}, {3, 10}, {10, 12}, {12, 13}}}, job, candidates);
+  add_context(mean, {{0, 1}, {0, 3}, {1, 3}, {3, 7}, {0, 9}, {3, 10}, {10, 12}, {12, 13}}, job, candidates);
   return candidates;
 }
 
@@ -254,7 +263,7 @@ Candidates second_candidates(const CoarseResult& coarse, const Array<UnitNormal>
   candidates.scalar.push_back(spread(coarse.around, coarse.noisy_area, raw, job));
   release(normal, faces.normal, faces.area);
   add_scalars(coarse, job, candidates);
-  add_context<6>(mean, {{{0, 1}, {1, 3}, {1, 8}, {1, 10}, {1, 11}, {0, 10}}}, job, candidates);
+  add_context(mean, {{0, 1}, {1, 3}, {1, 8}, {1, 10}, {1, 11}, {0, 10}}, job, candidates);
   return candidates;
 }
 

@@ -23,10 +23,11 @@ struct Candidates {
 
 /// The candidates of the first stage: the normals of the noisy faces; those after the coarse rounds; the latter after 4
 /// and after 16 fine rounds; the noisy ones averaged over the neighbourhood once and three times, without and with the
-/// finest ones as guide; and those of band-limited positions.
-Candidates first_candidates(const CoarseResult& coarse, Job& job);
+/// finest ones as guide; and those of band-limited positions. Frees the
+/// coarse faces, which nothing else needs.
+Candidates first_candidates(CoarseResult& coarse, Job& job);
 
-/// The candidates of the second stage, which refines the blend of the first one. Needs no coarse faces.
+/// The candidates of the second stage, which refines the blend of the first one.
 /// @param blended  by face
 Candidates second_candidates(const CoarseResult& coarse, const Array<UnitNormal>& blended, Job& job);
 
