@@ -28,9 +28,9 @@ struct Patch {
 /// Measures patches; remembers which faces belong to the current one.
 class PatchMeasure {
  public:
-  PatchMeasure(const FaceLists& around, const Array<Index>& across, const Array<double>& area,
-               const Array<Vec3>& normal)
-      : around_(around), across_(across), area_(area), normal_(normal), member_of_(area.size()) {}
+  PatchMeasure(const FaceLists& around, const Array<Index>& across, const Array<double>& jump,
+               const Array<double>& area, const Array<Vec3>& normal)
+      : around_(around), across_(across), jump_(jump), area_(area), normal_(normal), member_of_(area.size()) {}
 
   /// Keeps the memory small: to be called now and then, between two patches.
   void forget_all() { member_of_.clear(); }
@@ -69,28 +69,42 @@ class PatchMeasure {
       for (Index k = 0; k < 3; ++k) {
         const Index h = across_[3 * *g + k];
         if (h == no_face || h < *g || member_of_[h] != f) continue;
-        const double jump = (normal_[*g] - normal_[h]).norm();
-        sum += jump;
-        largest = std::max(largest, jump);
+        sum += jump_[3 * *g + k];
+        largest = std::max(largest, jump_[3 * *g + k]);
       }
     return largest / sum;
   }
 
   const FaceLists& around_;
   const Array<Index>& across_;
+  const Array<double>& jump_;
   const Array<double>& area_;
   const Array<Vec3>& normal_;
   SparseIndexMap member_of_;  ///< by face: the patch that it was last found in
 };
 
+/// Length of the difference of the normals at each edge, by the corner opposite to it, of the face with the lower
+/// index.
+Array<double> find_jumps(const Array<Vec3>& normal, const Array<Index>& across, Job& job) {
+  Array<double> jump(across.size());
+  job.parallel(normal.size(), grain, Loop::minor, [&](Chunks& chunks) {
+    while (chunks.next())
+      for (std::size_t corner = 3 * chunks.begin(); corner < 3 * chunks.end(); ++corner) {
+        const Index g = across[corner];
+        if (g != no_face && g > corner / 3) jump[corner] = (normal[corner / 3] - normal[g]).norm();
+      }
+  });
+  return jump;
+}
+
 /// Median length of the difference of adjoining unit normals, of at most 2^18 edges.
-double median_normal_difference(const Array<Vec3>& normal, const Array<Index>& across) {
+double median_jump(const Array<double>& jump, const Array<Index>& across) {
   constexpr std::size_t most_corners = std::size_t(1) << 18;
   Array<double> difference;
   const std::size_t stride = std::max<std::size_t>(1, across.size() / most_corners);
   for (std::size_t corner = 0; corner < across.size(); corner += stride) {
     const Index g = across[corner];
-    if (g != no_face && g > corner / 3) difference.push_back((normal[corner / 3] - normal[g]).norm());
+    if (g != no_face && g > corner / 3) difference.push_back(jump[corner]);
   }
   return median(std::move(difference));
 }
@@ -109,9 +123,10 @@ Vec3 bilateral_mean(const FaceLists& around, Index f, const Array<double>& area,
 Array<Vec3> guide_normals(const FaceLists& around, const Array<Index>& across, const FaceGeometry& faces,
                           const Array<Vec3>& normal, const GuidedSettings& settings, Job& job) {
   const std::size_t count = normal.size();
-  std::vector<Patch> patch(count);
+  const Array<double> jump = find_jumps(normal, across, job);
+  Array<Patch> patch(count);
   job.parallel(count, grain, Loop::minor, [&](Chunks& chunks) {
-    PatchMeasure measure(around, across, faces.area, normal);
+    PatchMeasure measure(around, across, jump, faces.area, normal);
     while (chunks.next()) {
       measure.forget_all();
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) patch[f] = measure.measure(static_cast<Index>(f));
@@ -135,7 +150,7 @@ Array<Vec3> guide_normals(const FaceLists& around, const Array<Index>& across, c
   const double trusted = settings.patch_spread * median(spread) + settings.patch_spread_floor;
   const double refused = settings.patch_fade * trusted;
   const RangeWeight<double> weight(
-      std::max(settings.ring_range_floor, settings.ring_range * median_normal_difference(normal, across)));
+      std::max(settings.ring_range_floor, settings.ring_range * median_jump(jump, across)));
   job.parallel(count, grain, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {

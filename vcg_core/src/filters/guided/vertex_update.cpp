@@ -31,20 +31,34 @@ Array<std::uint8_t> find_folds(const MeshArrays& mesh, const Array<Vec3>& normal
   return folded;
 }
 
-Vec3 step_to_planes(const MeshArrays& mesh, const Array<Vec3>& normal, const Array<Vec3>& position, Index v) {
-  const MeshTopology& topology = mesh.topology;
-  Vec3 sum = Vec3::Zero();
-  for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
-    const Index corner = topology.star[s];
-    const Vec3 to_others = position[vertex_of(mesh, next_in_face(corner))] +
-                           position[vertex_of(mesh, previous_in_face(corner))] - 2 * position[v];
-    const Vec3& n = normal[corner / 3];
-    sum += n * (n.dot(to_others) / 3);  // c_f - v is a third of to_others
-  }
-  return sum / static_cast<double>(topology.star_begin[v + 1] - topology.star_begin[v]);
+/// The plane that a face is to lie in: through its centroid as it lies now, along its filtered normal.
+struct Plane {
+  Vec3 normal;
+  double offset;  ///< three times that of the centroid: n . (a + b + c)
+};
+
+void measure_offsets(const MeshArrays& mesh, const Array<Vec3>& position, Array<Plane>& plane, Job& job) {
+  job.parallel(mesh.face.size(), grain, Loop::minor, [&](Chunks& chunks) {
+    while (chunks.next())
+      for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
+        const auto& v = mesh.face[f];
+        plane[f].offset = plane[f].normal.dot(position[v[0]] + position[v[1]] + position[v[2]]);
+      }
+  });
 }
 
-/// The way to the middle of the ring, less its part along the normals of the faces.
+Vec3 step_to_planes(const MeshArrays& mesh, const Array<Plane>& plane, const Vec3& position, Index v) {
+  const MeshTopology& topology = mesh.topology;
+  const Vec3 thrice = 3 * position;
+  Vec3 sum = Vec3::Zero();
+  for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
+    const Plane& p = plane[topology.star[s] / 3];
+    sum += p.normal * (p.offset - p.normal.dot(thrice));
+  }
+  return sum / (3.0 * (topology.star_begin[v + 1] - topology.star_begin[v]));
+}
+
+/// The displacement to the middle of the ring, less its part along the normals of the faces.
 Vec3 step_within_surface(const MeshArrays& mesh, const Array<Vec3>& normal, const Array<Vec3>& position, Index v) {
   const MeshTopology& topology = mesh.topology;
   const double count = topology.star_begin[v + 1] - topology.star_begin[v];
@@ -69,14 +83,17 @@ void update_positions(const MeshArrays& mesh, const Array<Vec3>& normal, const A
                       int updates, const GuidedSettings& settings, Array<Vec3>& position, Job& job) {
   Array<std::uint8_t> folded(mesh.size(), 0);
   Array<Vec3> moved(position);
+  Array<Plane> plane(mesh.face.size());
+  job.serial(plane.size(), [&](std::size_t f) { plane[f].normal = normal[f]; });
   for (int update = 0; update < updates; ++update) {
     if (settings.unfold && update % settings.updates_between_fold_checks == 0)
       folded = find_folds(mesh, normal, position, settings.fold_cosine, job);
+    measure_offsets(mesh, position, plane, job);
     job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
       while (chunks.next())
         for (auto v = static_cast<Index>(chunks.begin()); v < chunks.end(); ++v) {
           if (!movable[v]) continue;
-          moved[v] = position[v] + step_to_planes(mesh, normal, position, v);
+          moved[v] = position[v] + step_to_planes(mesh, plane, position[v], v);
           if (folded[v] && !mesh.topology.border[v] && !mesh.topology.is_on_crease(v))
             moved[v] += settings.unfold_step * step_within_surface(mesh, normal, position, v);
         }
