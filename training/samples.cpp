@@ -67,7 +67,7 @@ std::optional<Samples> samples_of(std::uint64_t seed, std::size_t number, const 
   CoarseRounds coarse(input, settings);
   if (!(coarse.noise() > 0)) return std::nullopt;
   coarse.run();
-  const CoarseResult result = coarse.take_result();
+  CoarseResult result = coarse.take_result();
   Candidates candidates = first_candidates(result, job);
   if (first_stage != nullptr) candidates = second_candidates(result, first_stage->blend(candidates, job), job);
 
