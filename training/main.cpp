@@ -11,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "ablation.h"
 #include "network_trainer.h"
 #include "samples.h"
 #include "weights_file.h"
@@ -50,12 +51,17 @@ int main(int argc, char** argv) {
   std::size_t meshes = 300;
   int epochs = 8;
   CLI::App app("Trains the networks of the guided filter's blend.");
-  app.add_option("OUT", out, "source file to be written")->required();
+  bool ablation = false;
+  app.add_option("OUT", out, "source file to be written");
+  app.add_flag("--ablate", ablation, "say what seeds, candidates and scalars make, and write nothing");
   app.add_option("--seed", seed, "of the meshes and of the training")->capture_default_str();
   app.add_option("--meshes", meshes, "to learn from; a quarter as many are kept to look at the result")
       ->capture_default_str();
   app.add_option("--epochs", epochs, "times that each face is seen")->capture_default_str();
   app.add_option("--made-by", made_by, "comment in the file");
+  app.final_callback([&] {
+    if (out.empty() != ablation) throw CLI::ValidationError("OUT or --ablate is needed, not both");
+  });
   CLI11_PARSE(app, argc, argv);
   try {
     constexpr std::size_t faces = 4000;
@@ -68,15 +74,16 @@ int main(int argc, char** argv) {
         before = std::make_unique<vcg_core::detail::BlendNetwork>(vcg_core::detail::NetworkTable{
             {t.sizes[0], t.sizes[1], t.sizes[2], t.sizes[3]}, t.value.data(), t.value.size()});
       }
-      Samples samples = draw_samples(seed, 0, meshes, before.get(), faces);
+      const Samples samples = draw_samples(seed, 0, meshes, before.get(), faces);
       std::cout << "stage " << stage << ": " << samples.input.cols() << " faces, " << samples.input.rows()
                 << " inputs, " << samples.candidate.size() << " candidates\n";
       const Network network = train(samples, {40, 24}, epochs, seed + static_cast<std::uint64_t>(stage), std::cout);
-      samples = draw_samples(seed, meshes, all, before.get(), faces);
-      report(samples, blend(network, samples), std::cout);
+      const Samples kept_out = draw_samples(seed, meshes, all, before.get(), faces);
+      report(kept_out, blend(network, kept_out), std::cout);
+      if (ablation) ablate(stage, samples, kept_out, epochs, seed, std::cout);
       tables.push_back(table_of(network));
     }
-    write_weights(out, made_by, tables[0], tables[1]);
+    if (!ablation) write_weights(out, made_by, tables[0], tables[1]);
   } catch (const std::exception& error) {
     std::cerr << "train_blend: " << error.what() << '\n';
     return 1;
