@@ -81,11 +81,11 @@ std::vector<FlatMesh> meshes_of_all_kinds() {
   return {test_support::noisy_shape("torus", 300), test_support::noisy_shape("plane_delaunay", 200), soup};
 }
 
-TEST(Rings, CountANeighbourOnceForEachFace) {
+TEST(RingMeans, CountANeighbourOnceForEachFace) {
   for (const FlatMesh& shape : meshes_of_all_kinds()) {
     Job job(no_progress, 2);
     const MeshArrays mesh = arrays_of(shape, job);
-    const Rings rings(mesh, job);
+    const RingMeans rings(mesh, job);
     ASSERT_EQ(rings.size(), mesh.size());
     const Eigen::MatrixXd mean = ring_matrix(mesh) * in_rows(mesh.position);
     for (std::size_t v = 0; v < mesh.size(); ++v) {
@@ -100,7 +100,7 @@ TEST(BandLimits, AreChebyshevPolynomialsInTheRingMean) {
   Job job(no_progress, 2);
   const MeshArrays mesh = arrays_of(test_support::noisy_shape("torus", 300), job);
   const std::vector<double> cut_offs{1.0, 0.4};
-  const std::vector<Array<Vec3>> low = band_limited_positions(mesh, Rings(mesh, job), mesh.position, cut_offs, job);
+  const std::vector<Array<Vec3>> low = band_limited_positions(mesh, RingMeans(mesh, job), mesh.position, cut_offs, job);
   const Eigen::MatrixXd w = ring_matrix(mesh);
   const Eigen::MatrixXd x = in_rows(mesh.position);
   for (std::size_t k = 0; k < cut_offs.size(); ++k) {
@@ -138,9 +138,9 @@ TEST(BandLimits, LeaveStraightCreasesStraight) {
   const Array<Index> place = vertex_of_host(mesh);
   Array<std::array<Index, 2>> ridge;
   for (std::size_t i = 0; i < 8; ++i) ridge.push_back({place[i], place[i + 1]});
-  const Array<Vec3> blunt = band_limited_positions(mesh, Rings(mesh, job), mesh.position, {0.8}, job)[0];
+  const Array<Vec3> blunt = band_limited_positions(mesh, RingMeans(mesh, job), mesh.position, {0.8}, job)[0];
   find_creases(mesh, ridge, job);
-  const Array<Vec3> sharp = band_limited_positions(mesh, Rings(mesh, job), mesh.position, {0.8}, job)[0];
+  const Array<Vec3> sharp = band_limited_positions(mesh, RingMeans(mesh, job), mesh.position, {0.8}, job)[0];
   EXPECT_LT(blunt[place[4]][2], -0.05);  // without creases the ridge sinks
   for (std::size_t i = 0; i < 9; ++i) {
     EXPECT_NEAR(sharp[place[i]][1], 0, 1e-12);

@@ -215,7 +215,7 @@ TEST(GuidedDetail, WhiteNoiseStaysOutAndShapeComesBack) {
     return std::sqrt(sum / static_cast<double>(position.size())) / e;
   };
   Array<Vec3> position = flat;
-  recover_detail(noisy, Rings(noisy, job), noisy.position, movable, GuidedSettings{}, position, job);
+  recover_detail(noisy, RingMeans(noisy, job), noisy.position, movable, GuidedSettings{}, position, job);
   EXPECT_LT(rms(position, [](const Vec3&) { return 0.0; }), 0.03);
 
   const auto wave = [&](const Vec3& p) { return 0.5 * e * std::sin(30 * p[0]) * std::sin(30 * p[1]); };
@@ -223,7 +223,7 @@ TEST(GuidedDetail, WhiteNoiseStaysOutAndShapeComesBack) {
   for (Vec3& p : with_wave) p[2] += wave(p);
   position = flat;
   const double lost = rms(position, wave);
-  recover_detail(noisy, Rings(noisy, job), with_wave, movable, GuidedSettings{}, position, job);
+  recover_detail(noisy, RingMeans(noisy, job), with_wave, movable, GuidedSettings{}, position, job);
   EXPECT_LT(rms(position, wave), 0.6 * lost);
 }
 

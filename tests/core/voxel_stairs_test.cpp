@@ -123,7 +123,7 @@ TEST(VoxelStairs, TellHowFarVerticesAreFromTheShape) {
       faces.measure(mesh, mesh.position, job);
       const std::optional<VoxelStairs> stairs = find_voxel_stairs(mesh, faces, job);
       ASSERT_TRUE(stairs);
-      const Array<double> found = deviations_by_stairs(mesh, Rings(mesh, job), *stairs, faces, job);
+      const Array<double> found = deviations_by_stairs(mesh, RingMeans(mesh, job), *stairs, faces, job);
       std::vector<double> truth;
       for (int v = 0; v < shape.surface.vn; ++v)
         truth.push_back((shape.surface.vert[v].cP() - shape.truth.vert[v].cP()).Norm());

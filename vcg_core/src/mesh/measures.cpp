@@ -63,7 +63,7 @@ double estimate_noise(const MeshView& view, const Progress& progress, int thread
   job.begin_stage(measuring, 1);
   detail::FaceGeometry faces;
   faces.measure(mesh, mesh.position, job);
-  const double noise = detail::estimate_noise(mesh, detail::Rings(mesh, job), mesh.position, faces, job).mean;
+  const double noise = detail::estimate_noise(mesh, detail::RingMeans(mesh, job), mesh.position, faces, job).mean;
   job.finish();
   return std::ldexp(noise, -mesh.exponent);
 }

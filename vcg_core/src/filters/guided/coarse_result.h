@@ -8,7 +8,7 @@
 #include "face_geometry.h"
 #include "face_neighborhoods.h"
 #include "guided_settings.h"
-#include "rings.h"
+#include "ring_means.h"
 #include "unit_normals.h"
 
 namespace vcg_core::detail {
@@ -20,7 +20,7 @@ struct CoarseResult {
   const Array<std::uint8_t>& movable;
   const Array<Vec3>& noisy;    ///< positions
   const Array<double>& noise;  ///< standard deviation by vertex
-  Rings rings;
+  RingMeans rings;
   FaceLists around;
   FaceLists within;
   Array<double> spacing;

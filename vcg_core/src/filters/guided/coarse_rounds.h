@@ -32,7 +32,7 @@ class CoarseRounds {
   const GuidedSettings& settings_;
   Job& job_;
   Array<Vec3> position_;
-  Rings rings_;
+  RingMeans rings_;
   FaceGeometry faces_;  ///< at first the noisy ones
   Array<UnitNormal> noisy_normal_;
   Array<double> noisy_area_;

@@ -44,7 +44,7 @@ double share_of_shape(double energy, const GuidedSettings& settings) {
 
 }  // namespace
 
-void recover_detail(const MeshArrays& mesh, const Rings& rings, const Array<Vec3>& noisy,
+void recover_detail(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& noisy,
                     const Array<std::uint8_t>& movable, const GuidedSettings& settings, Array<Vec3>& position,
                     Job& job) {
   double noise = -1;

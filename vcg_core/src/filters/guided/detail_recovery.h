@@ -6,7 +6,7 @@
 #include <vcg_core/detail/mesh_arrays.h>
 
 #include "guided_settings.h"
-#include "rings.h"
+#include "ring_means.h"
 
 namespace vcg_core::detail {
 
@@ -19,7 +19,7 @@ namespace vcg_core::detail {
 /// New here; in the line of Wiener filtering and of the method noise of Buades, Coll, Morel 2005.
 /// @param noisy     the positions before filtering
 /// @param position  the filtered ones; changed
-void recover_detail(const MeshArrays& mesh, const Rings& rings, const Array<Vec3>& noisy,
+void recover_detail(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& noisy,
                     const Array<std::uint8_t>& movable, const GuidedSettings& settings, Array<Vec3>& position,
                     Job& job);
 

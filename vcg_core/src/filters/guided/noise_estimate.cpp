@@ -56,7 +56,7 @@ constexpr int testimony_rings = 24;
 double ramp(double x, double from, double full) { return std::clamp((x - from) / (full - from), 0.0, 1.0); }
 
 /// Heights of the vertices above the mean of their one ring, along the mean normal of their faces; 0 without faces.
-Array<double> heights(const MeshArrays& mesh, const Rings& rings, const Array<Vec3>& position,
+Array<double> heights(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position,
                       const FaceGeometry& faces, Job& job) {
   const MeshTopology& topology = mesh.topology;
   Array<double> height(mesh.size());
@@ -101,7 +101,7 @@ double second_smallest_jump(const MeshArrays& mesh, const Array<double>& height,
 }
 
 /// By vertex; zero on borders, where half of the ring is missing, and on creases, where height is shape.
-Array<Evidence> find_evidence(const MeshArrays& mesh, const Rings& rings, const Array<double>& height, Job& job) {
+Array<Evidence> find_evidence(const MeshArrays& mesh, const RingMeans& rings, const Array<double>& height, Job& job) {
   const MeshTopology& topology = mesh.topology;
   Array<double> inverse_valence(mesh.size());
   job.serial(mesh.size(), [&](std::size_t v) {
@@ -162,7 +162,7 @@ double root_mean_square(const Array<double>& value, Job& job) {
   return std::sqrt(sum / static_cast<double>(value.size()));
 }
 
-NoiseEstimate noise_of_stairs(const MeshArrays& mesh, const Rings& rings, const VoxelStairs& stairs,
+NoiseEstimate noise_of_stairs(const MeshArrays& mesh, const RingMeans& rings, const VoxelStairs& stairs,
                               const FaceGeometry& faces, Job& job) {
   NoiseEstimate noise;
   noise.deviation = deviations_by_stairs(mesh, rings, stairs, faces, job);
@@ -183,7 +183,7 @@ Array<Testimony> find_testimony(const Array<Evidence>& own, const Array<Evidence
 
 }  // namespace
 
-NoiseEstimate estimate_noise(const MeshArrays& mesh, const Rings& rings, const Array<Vec3>& position,
+NoiseEstimate estimate_noise(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position,
                              const FaceGeometry& faces, Job& job) {
   if (const auto stairs = find_voxel_stairs(mesh, faces, job)) return noise_of_stairs(mesh, rings, *stairs, faces, job);
   const Array<Evidence> own = find_evidence(mesh, rings, heights(mesh, rings, position, faces, job), job);

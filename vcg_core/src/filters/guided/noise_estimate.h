@@ -4,7 +4,7 @@
 #include <vcg_core/detail/mesh_arrays.h>
 
 #include "face_geometry.h"
-#include "rings.h"
+#include "ring_means.h"
 
 namespace vcg_core::detail {
 
@@ -30,7 +30,7 @@ struct NoiseEstimate {
 ///
 /// Noise that varies from vertex to vertex is seen. Steps of voxels alternate as noise does and are seen as such; noise
 /// that is correlated over several edges is taken for shape. New here.
-NoiseEstimate estimate_noise(const MeshArrays& mesh, const Rings& rings, const Array<Vec3>& position,
+NoiseEstimate estimate_noise(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position,
                              const FaceGeometry& faces, Job& job);
 
 }  // namespace vcg_core::detail

@@ -198,7 +198,7 @@ std::optional<VoxelStairs> find_voxel_stairs(const MeshArrays& mesh, const FaceG
   return std::nullopt;
 }
 
-Array<double> deviations_by_stairs(const MeshArrays& mesh, const Rings& rings, const VoxelStairs& stairs,
+Array<double> deviations_by_stairs(const MeshArrays& mesh, const RingMeans& rings, const VoxelStairs& stairs,
                                    const FaceGeometry& faces, Job& job) {
   Array<Vec3> normal(mesh.size());
   job.serial(mesh.size(), [&](std::size_t v) {

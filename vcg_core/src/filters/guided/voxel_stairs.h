@@ -8,7 +8,7 @@
 #include <vcg_core/detail/mesh_arrays.h>
 
 #include "face_geometry.h"
-#include "rings.h"
+#include "ring_means.h"
 
 namespace vcg_core::detail {
 
@@ -31,7 +31,7 @@ std::optional<VoxelStairs> find_voxel_stairs(const MeshArrays& mesh, const FaceG
 /// By vertex: standard deviation of its distance from the true surface, along that surface's normal n. For one between
 /// voxels along axis k it is uniform within |n_k| step_k / 2 to both sides. Its normal is taken from the faces as far
 /// around as the widest stairs are. 0 for vertices that are not of the grid.
-Array<double> deviations_by_stairs(const MeshArrays& mesh, const Rings& rings, const VoxelStairs& stairs,
+Array<double> deviations_by_stairs(const MeshArrays& mesh, const RingMeans& rings, const VoxelStairs& stairs,
                                    const FaceGeometry& faces, Job& job);
 
 }  // namespace vcg_core::detail

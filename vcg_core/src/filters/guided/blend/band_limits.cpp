@@ -30,11 +30,12 @@ std::vector<double> band_limit_coefficients(double cut_off) {
   return coefficient;
 }
 
-std::vector<Array<Vec3>> band_limited_positions(const MeshArrays& mesh, const Rings& rings, const Array<Vec3>& position,
-                                                const std::vector<double>& cut_offs, Job& job) {
-  std::optional<Rings> of_creases;
+std::vector<Array<Vec3>> band_limited_positions(const MeshArrays& mesh, const RingMeans& rings,
+                                                const Array<Vec3>& position, const std::vector<double>& cut_offs,
+                                                Job& job) {
+  std::optional<RingMeans> of_creases;
   if (!mesh.topology.on_crease.empty()) of_creases.emplace(mesh, job, AtCreases::the_two_along_them);
-  const Rings& averaged = of_creases ? *of_creases : rings;
+  const RingMeans& averaged = of_creases ? *of_creases : rings;
   std::vector<std::vector<double>> coefficients;
   std::size_t terms = 0;
   for (const double cut_off : cut_offs) {

@@ -5,7 +5,7 @@
 
 #include <vcg_core/detail/mesh_arrays.h>
 
-#include "../rings.h"
+#include "../ring_means.h"
 
 namespace vcg_core::detail {
 
@@ -20,8 +20,9 @@ namespace vcg_core::detail {
 /// place of Hamming's window: its step does not ring.
 /// @param rings     without regard to creases
 /// @param cut_offs  theta, above 0 and below pi
-std::vector<Array<Vec3>> band_limited_positions(const MeshArrays& mesh, const Rings& rings, const Array<Vec3>& position,
-                                                const std::vector<double>& cut_offs, Job& job);
+std::vector<Array<Vec3>> band_limited_positions(const MeshArrays& mesh, const RingMeans& rings,
+                                                const Array<Vec3>& position, const std::vector<double>& cut_offs,
+                                                Job& job);
 
 /// The coefficients of Chebyshev's polynomials, from that of T_0 on; their sum is 1, so that the mean stays.
 std::vector<double> band_limit_coefficients(double cut_off);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rings.h"
+#include "ring_means.h"
 
 #include <algorithm>
 #include <vector>
@@ -57,7 +57,7 @@ class RingOfVertex {
 
 }  // namespace
 
-Rings::Rings(const MeshArrays& mesh, Job& job, AtCreases at_creases) : begin_(mesh.size() + 1, 0) {
+RingMeans::RingMeans(const MeshArrays& mesh, Job& job, AtCreases at_creases) : begin_(mesh.size() + 1, 0) {
   const auto for_each_ring = [&](const auto& use) {
     job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
       RingOfVertex ring(mesh, at_creases);

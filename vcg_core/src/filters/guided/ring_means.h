@@ -15,9 +15,9 @@ enum class AtCreases { all_neighbours, the_two_along_them };
 /// For each vertex those that a mean around it is taken over: its neighbours, each counted once for each face that it
 /// shares with the vertex, so inner edges twice; a vertex without faces itself. With `the_two_along_them`, on creases
 /// the two neighbours along the crease, and where there are more or fewer than two, the vertex itself.
-class Rings {
+class RingMeans {
  public:
-  Rings(const MeshArrays& mesh, Job& job, AtCreases at_creases = AtCreases::all_neighbours);
+  RingMeans(const MeshArrays& mesh, Job& job, AtCreases at_creases = AtCreases::all_neighbours);
 
   std::size_t size() const { return begin_.size() - 1; }
 
@@ -36,7 +36,7 @@ class Rings {
 
 /// The mean over the ring, the vertex itself with the weight of one neighbour of six; `times` times.
 template <class Value>
-Array<Value> low_pass(const Rings& rings, Array<Value> value, int times, Job& job) {
+Array<Value> low_pass(const RingMeans& rings, Array<Value> value, int times, Job& job) {
   Array<Value> mean(value.size());
   for (int time = 0; time < times; ++time) {
     job.parallel(rings.size(), 4096, Loop::minor, [&](Chunks& chunks) {
