@@ -71,8 +71,9 @@ def test_progress_cancels(function, mesh):
 def test_ctrl_c(method):
     script = (
         "import sys; sys.path.insert(0, sys.argv[1])\n"
-        "import time, anisosmooth\n"
+        "import signal, time, anisosmooth\n"
         "from conftest import torus\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # a shell's background commands ignore it
         "V, F = torus(2000, 600)\n"
         "print('ready', flush=True)\n"
         "try:\n"
