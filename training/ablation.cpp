@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ablation.h"
 
-#include <algorithm>
-#include <cmath>
 #include <iomanip>
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "network_trainer.h"
@@ -31,7 +30,8 @@ struct Group {
   std::size_t begin, end;
 };
 
-std::size_t pairs(std::size_t candidates) { return candidates * (candidates - 1) / 2; }
+/// How many of the inputs are distances between candidates; the scalars follow.
+std::size_t distances(const Samples& samples) { return vcg_core::detail::input_count(samples.candidate.size(), 0); }
 
 Samples with_inputs(Samples samples, const std::vector<Index>& rows) {
   samples.input = Eigen::MatrixXf(samples.input(rows, Eigen::all));
@@ -43,9 +43,8 @@ Samples with_inputs(Samples samples, const std::vector<Index>& rows) {
 double mean_angle_to_truth(const Eigen::MatrixXf& normal, const Samples& samples) {
   double sum = 0;
   for (Index i = 0; i < normal.cols(); ++i)
-    sum += samples.weight[i] * 2 *
-           std::asin(std::min(1.0, 0.5 * static_cast<double>((normal.col(i) - samples.truth.col(i)).norm())));
-  return sum / static_cast<double>(samples.weight.sum()) * 57.29578;
+    sum += samples.weight[i] * angle_between(normal.col(i), samples.truth.col(i));
+  return sum / static_cast<double>(samples.weight.sum());
 }
 
 Samples without_candidate(Samples samples, std::size_t candidate) {
@@ -61,7 +60,7 @@ Samples without_candidate(Samples samples, std::size_t candidate) {
 }
 
 Samples without_scalars(Samples samples, std::size_t begin, std::size_t end) {
-  const auto first = static_cast<Index>(pairs(samples.candidate.size()));
+  const auto first = static_cast<Index>(distances(samples));
   std::vector<Index> rows;
   for (Index row = 0; row < samples.input.rows(); ++row)
     if (row < first + static_cast<Index>(begin) || row >= first + static_cast<Index>(end)) rows.push_back(row);
@@ -84,7 +83,7 @@ void ablate(int stage, const Samples& learned, const Samples& kept_out, int epoc
   const double all = error(learned, kept_out, seed);
   row("all", all, all);
   for (const std::uint64_t other : {seed + 1, seed + 2}) row("all, another seed", error(learned, kept_out, other), all);
-  const std::size_t scalars = static_cast<std::size_t>(learned.input.rows()) - pairs(learned.candidate.size());
+  const std::size_t scalars = static_cast<std::size_t>(learned.input.rows()) - distances(learned);
   for (const Group& group : {Group{"spread of normals", 0, 3}, Group{"noise", 3, 4}, Group{"spacing", 4, 5},
                              Group{"differences around the face", 5, scalars}})
     row(std::string("without ") + group.name,

@@ -2,7 +2,6 @@
 // train_blend OUT.cpp: trains the networks of the guided filter's blend on generated meshes, says how well they do on
 // meshes that they have not seen, and writes their weights.
 
-#include <cmath>
 #include <cstdint>
 #include <iostream>
 #include <map>
@@ -25,7 +24,7 @@ void report(const Samples& samples, const Eigen::MatrixXf& blended, std::ostream
   std::map<std::string, std::vector<double>> sum;
   std::map<std::string, double> count;
   const auto angle = [&](const Eigen::MatrixXf& normal, Eigen::Index i) {
-    return 2 * std::asin(std::min(1.F, (normal.col(i) - samples.truth.col(i)).norm() / 2)) * 57.29578;
+    return angle_between(normal.col(i), samples.truth.col(i));
   };
   for (Eigen::Index i = 0; i < blended.cols(); ++i)
     for (const std::string& family : {std::string(samples.family[static_cast<std::size_t>(i)]), std::string("all")}) {

@@ -22,10 +22,10 @@ namespace {
 
 using namespace vcg_core::detail;
 
-/// Mean angle in radians, by weight, between columns.
+/// Mean angle in degrees between columns.
 double mean_angle(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b) {
   double sum = 0;
-  for (Eigen::Index i = 0; i < a.cols(); ++i) sum += 2 * std::asin(std::min(1.F, (a.col(i) - b.col(i)).norm() / 2));
+  for (Eigen::Index i = 0; i < a.cols(); ++i) sum += angle_between(a.col(i), b.col(i));
   return a.cols() > 0 ? sum / static_cast<double>(a.cols()) : 0;
 }
 
@@ -101,14 +101,17 @@ std::optional<Samples> samples_of(std::uint64_t seed, std::size_t number, const 
     samples.weight[i] = static_cast<float>(std::min(1.0, 0.3 + 0.7 * result.noisy_area[f] / mean_area));
   }
   // Each mesh counts for how far it is above what can be reached on it.
-  double best = 10;
+  double best = 180;
   for (const auto& candidate : samples.candidate) best = std::min(best, mean_angle(candidate, samples.truth));
-  constexpr double degree = 0.01745329;
-  samples.weight *= static_cast<float>(3 * degree / (0.45 * degree + best));
+  samples.weight *= static_cast<float>(3 / (0.45 + best));
   return samples;
 }
 
 }  // namespace
+
+double angle_between(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+  return 2 * std::asin(std::min(1.0, 0.5 * static_cast<double>((a - b).norm()))) * 57.29578;
+}
 
 Samples draw_samples(std::uint64_t seed, std::size_t first_mesh, std::size_t end_mesh, const BlendNetwork* first_stage,
                      std::size_t most) {

@@ -21,6 +21,9 @@ struct Samples {
   std::vector<const char*> family;
 };
 
+/// Angle in degrees between two unit vectors, as exact for small ones as for large ones.
+double angle_between(const Eigen::Vector3f& a, const Eigen::Vector3f& b);
+
 /// Draws faces of the meshes of a seed and finds their candidates, for the first stage or the second.
 /// @param first_stage  the network that the second stage builds on; null for the first stage
 /// @param most         faces that are drawn of one mesh

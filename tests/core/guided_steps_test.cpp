@@ -119,8 +119,8 @@ TEST_F(GuidedSteps, FilteredNormalsAreTheWeightedMean) {
       of_all += close;
       sum += nearly_exp_of_minus(difference * difference / 2) * close;
     }
-    EXPECT_LT((filtered[f] - sum.normalized()).norm(), 1e-5);
-    EXPECT_LT((mean[f] - of_all.normalized()).norm(), 1e-5);
+    EXPECT_LT((filtered[f] - sum.normalized()).norm(), 1e-6);
+    EXPECT_LT((mean[f] - of_all.normalized()).norm(), 1e-6);
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "layer_kernels.h"
 
+#include "simd/supported.h"
+
 namespace vcg_core::detail {
 
 extern const LayerKernel avx512_layer_kernel;
@@ -8,13 +10,11 @@ extern const LayerKernel avx2_layer_kernel;
 extern const LayerKernel portable_layer_kernel;
 
 std::vector<const LayerKernel*> supported_layer_kernels() {
-  std::vector<const LayerKernel*> found;
+  return supported<LayerKernel>({
 #ifdef VCG_CORE_WIDE_KERNELS
-  if (avx512_layer_kernel.supported()) found.push_back(&avx512_layer_kernel);
-  if (avx2_layer_kernel.supported()) found.push_back(&avx2_layer_kernel);
+      &avx512_layer_kernel, &avx2_layer_kernel,
 #endif
-  found.push_back(&portable_layer_kernel);
-  return found;
+      &portable_layer_kernel});
 }
 
 }  // namespace vcg_core::detail

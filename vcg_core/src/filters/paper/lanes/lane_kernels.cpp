@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lane_kernels.h"
 
+#include "simd/supported.h"
+
 namespace vcg_core::detail {
 
 extern const LaneKernel avx512_kernel;
@@ -8,13 +10,11 @@ extern const LaneKernel avx2_kernel;
 extern const LaneKernel portable_kernel;
 
 std::vector<const LaneKernel*> supported_lane_kernels() {
-  std::vector<const LaneKernel*> found;
+  return supported<LaneKernel>({
 #ifdef VCG_CORE_WIDE_KERNELS
-  if (avx512_kernel.supported()) found.push_back(&avx512_kernel);
-  if (avx2_kernel.supported()) found.push_back(&avx2_kernel);
+      &avx512_kernel, &avx2_kernel,
 #endif
-  found.push_back(&portable_kernel);
-  return found;
+      &portable_kernel});
 }
 
 }  // namespace vcg_core::detail
