@@ -15,6 +15,7 @@
 #include <vcg_core/method.h>
 
 #include "filters/guided/coarse_rounds.h"
+#include "filters/guided/correlated_noise.h"
 
 namespace training {
 
@@ -64,10 +65,11 @@ std::optional<Samples> samples_of(std::uint64_t seed, std::size_t number, const 
   const Array<Vec3> no_normals;
   const GuidedSettings settings = guided_settings({}, 0);
   const PassInput input{mesh, mesh.position, no_normals, movable, job};
-  CoarseRounds coarse(input, settings);
-  if (!(coarse.noise() > 0)) return std::nullopt;
-  coarse.run();
-  CoarseResult result = coarse.take_result();
+  std::optional<CoarseRounds> coarse(std::in_place, input, settings);
+  if (!(coarse->noise() > 0)) coarse.emplace(input, settings, find_correlated_noise(input));
+  if (!(coarse->noise() > 0)) return std::nullopt;
+  coarse->run();
+  CoarseResult result = coarse->take_result();
   Candidates candidates = first_candidates(result, job);
   if (first_stage != nullptr) candidates = second_candidates(result, first_stage->blend(candidates, job), job);
 

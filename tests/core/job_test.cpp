@@ -22,6 +22,7 @@ using test_support::ProgressLog;
 using vcg_core::detail::Chunks;
 using vcg_core::detail::Job;
 using vcg_core::detail::Loop;
+using vcg_core::detail::StagePart;
 
 /// Long enough for the next report to be passed on.
 void wait() { std::this_thread::sleep_for(std::chrono::milliseconds(110)); }
@@ -44,6 +45,23 @@ TEST(Job, MapsFractionsOfStagesToThoseOfTheJob) {
     EXPECT_DOUBLE_EQ(log.calls()[k].fraction, fractions[k]);
     EXPECT_EQ(log.calls()[k].stage, stages[k]);
   }
+}
+
+TEST(Job, MapsFractionsOfPartsToThoseOfTheStage) {
+  ProgressLog log;
+  const vcg_core::Progress progress = log.callable();
+  Job job(progress, 1);
+  job.begin_stage("stage", 0.8);
+  {
+    const StagePart part(job, 0.25, 0.5);
+    wait();
+    job.report(0.5);
+  }
+  wait();
+  job.report(0.75);
+  ASSERT_EQ(log.calls().size(), 3u);
+  EXPECT_DOUBLE_EQ(log.calls()[1].fraction, 0.8 * 0.375);
+  EXPECT_DOUBLE_EQ(log.calls()[2].fraction, 0.8 * 0.75);
 }
 
 TEST(Job, NeverFallsAndNeverPassesOne) {

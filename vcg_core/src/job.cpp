@@ -69,6 +69,16 @@ void Chunks::poll() {
   shared_.job.report(static_cast<double>(taken) / static_cast<double>(shared_.chunk_count()));
 }
 
+StagePart::StagePart(Job& job, double begin, double end) : job_(job), begin_(job.stage_begin_), end_(job.stage_end_) {
+  job.stage_begin_ = begin_ + begin * (end_ - begin_);
+  job.stage_end_ = begin_ + end * (end_ - begin_);
+}
+
+StagePart::~StagePart() {
+  job_.stage_begin_ = begin_;
+  job_.stage_end_ = end_;
+}
+
 Job::Job(const Progress& progress, int threads, Clock now) : progress_(progress), threads_(threads), now_(now) {
   if (threads_ <= 0) threads_ = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }

@@ -2,10 +2,12 @@
 #include <vcg_core/mesh/measures.h>
 
 #include <cmath>
+#include <cstdint>
 
 #include <vcg_core/detail/job.h>
 
 #include "count_intersections.h"
+#include "filters/guided/correlated_noise.h"
 #include "filters/guided/face_geometry.h"
 #include "filters/guided/noise_estimate.h"
 #include "geodesic_field.h"
@@ -63,7 +65,14 @@ double estimate_noise(const MeshView& view, const Progress& progress, int thread
   job.begin_stage(measuring, 1);
   detail::FaceGeometry faces;
   faces.measure(mesh, mesh.position, job);
-  const double noise = detail::estimate_noise(mesh, detail::RingMeans(mesh, job), mesh.position, faces, job).mean;
+  double noise = detail::estimate_noise(mesh, detail::RingMeans(mesh, job), mesh.position, faces, job).mean;
+  if (!(noise > 0)) {
+    const detail::Array<detail::Vec3> no_normals;
+    detail::Array<std::uint8_t> movable(mesh.size());
+    job.serial(mesh.size(),
+               [&](std::size_t v) { movable[v] = mesh.topology.star_begin[v] < mesh.topology.star_begin[v + 1]; });
+    noise = detail::find_correlated_noise({mesh, mesh.position, no_normals, movable, job}).mean;
+  }
   job.finish();
   return std::ldexp(noise, -mesh.exponent);
 }

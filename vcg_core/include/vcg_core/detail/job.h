@@ -42,6 +42,21 @@ class Chunks {
   std::size_t index_ = 0;
 };
 
+/// While it lives, what is reported fills only a part of the stage.
+class StagePart {
+ public:
+  /// @param begin, end  shares of the stage
+  StagePart(Job& job, double begin, double end);
+  ~StagePart();
+  StagePart(const StagePart&) = delete;
+  StagePart& operator=(const StagePart&) = delete;
+
+ private:
+  Job& job_;
+  const double begin_;  ///< of the whole stage, as the next
+  const double end_;
+};
+
 /// One call of the library: its stages, its progress and its threads.
 class Job {
  public:
@@ -83,6 +98,8 @@ class Job {
   }
 
  private:
+  friend class StagePart;
+
   bool is_due() const;
   void call(double fraction);
 

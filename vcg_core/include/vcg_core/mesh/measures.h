@@ -39,7 +39,8 @@ MeshSummary summarize(const MeshView& mesh, const Progress& progress = {});
 std::vector<std::array<double, 3>> vertex_normals(const MeshView& mesh, const Progress& progress = {}, int threads = 0);
 
 /// Standard deviation of the mesh's noise along its normals, in the mesh's unit, as the guided filter sees it; 0 if
-/// there is no noise that can be told from the shape. docs/guided.md says how it is found.
+/// there is no noise that can be told from the shape. docs/guided.md says how it is found. Where there is none that
+/// differs from vertex to vertex, it takes as long as smoothing.
 double estimate_noise(const MeshView& mesh, const Progress& progress = {}, int threads = 0);
 
 /// Geodesic distance from one vertex to all others by fast marching with a virtual start point, in double precision.

@@ -14,9 +14,18 @@
 namespace vcg_core::detail {
 
 CoarseRounds::CoarseRounds(const PassInput& input, const GuidedSettings& settings)
-    : in_(input), settings_(settings), job_(input.job), position_(input.position), rings_(input.mesh, input.job) {
-  faces_.measure(in_.mesh, position_, job_);
+    : CoarseRounds(input, settings, NoiseEstimate{}) {
   estimate_ = estimate_noise(in_.mesh, rings_, in_.position, faces_, job_);
+}
+
+CoarseRounds::CoarseRounds(const PassInput& input, const GuidedSettings& settings, NoiseEstimate noise)
+    : in_(input),
+      settings_(settings),
+      job_(input.job),
+      position_(input.position),
+      rings_(input.mesh, input.job),
+      estimate_(std::move(noise)) {
+  faces_.measure(in_.mesh, position_, job_);
 }
 
 void CoarseRounds::run() {

@@ -12,6 +12,8 @@ class CoarseRounds {
  public:
   /// Estimates the noise.
   CoarseRounds(const PassInput& input, const GuidedSettings& settings);
+  /// With noise that is known.
+  CoarseRounds(const PassInput& input, const GuidedSettings& settings, NoiseEstimate noise);
 
   const NoiseEstimate& estimate() const { return estimate_; }
   /// Standard deviation over the whole mesh that is to be removed, in units of the positions.

@@ -2,6 +2,7 @@
 #include "guided_filter.h"
 
 #include <iomanip>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -9,12 +10,9 @@
 #include <vcg_core/detail/job.h>
 
 #include "attribute_smoothing.h"
-#include "blend/blend.h"
-#include "coarse_rounds.h"
-#include "detail_recovery.h"
+#include "correlated_noise.h"
 #include "displacement_limit.h"
-#include "normal_filter.h"
-#include "vertex_update.h"
+#include "filter_run.h"
 
 namespace vcg_core::detail {
 
@@ -38,18 +36,6 @@ PassOutput unchanged(const PassInput& input) {
   return output;
 }
 
-/// The normals after fine rounds: the filter without its blend.
-Array<UnitNormal> fine_normals(const CoarseResult& coarse, Job& job) {
-  const GuidedSettings& settings = coarse.settings;
-  const Array<float> weight = closeness_weights(coarse.within, coarse.faces, coarse.spacing, settings.closeness, job);
-  Array<UnitNormal> normal = in_single(coarse.faces.normal, job);
-  for (int round = 0; settings.fine && round < settings.fine_rounds; ++round) {
-    normal = filter_normals(coarse.within, weight, normal, normal, settings.fine_range, job);
-    job.report(0.5 + 0.3 * (round + 1) / settings.fine_rounds);
-  }
-  return normal;
-}
-
 PassOutput hold_to_limits(const PassInput& input, const GuidedSettings& settings, const NoiseEstimate& estimate,
                           const Array<Vec3>& normal, Array<Vec3> position) {
   const Array<double> limit =
@@ -69,18 +55,19 @@ PassOutput hold_to_limits(const PassInput& input, const GuidedSettings& settings
 }  // namespace
 
 PassOutput guided_pass(const PassInput& input, const GuidedSettings& settings) {
-  CoarseRounds coarse(input, settings);
-  if (!(coarse.noise() > 0)) return unchanged(input);
-  coarse.run();
-  CoarseResult result = coarse.take_result();
-  Job& job = input.job;
-  const Array<Vec3> normal = in_double(settings.blend ? blended_normals(result, job) : fine_normals(result, job), job);
-  Array<Vec3> position = settings.restart ? input.position : result.position;
-  update_positions(input.mesh, normal, input.movable, settings.final_updates, settings, position, job);
-  job.report(0.95);
-  if (settings.recover_detail && !settings.blend)
-    recover_detail(input.mesh, result.rings, input.position, input.movable, settings, position, job);
-  return hold_to_limits(input, settings, coarse.estimate(), normal, std::move(position));
+  std::optional<CoarseRounds> coarse(std::in_place, input, settings);
+  std::optional<StagePart> part;
+  if (!(coarse->noise() > 0)) {
+    coarse.reset();
+    part.emplace(input.job, 0.0, 0.5);
+    NoiseEstimate correlated = find_correlated_noise(input);
+    part.reset();
+    part.emplace(input.job, 0.5, 1.0);
+    coarse.emplace(input, settings, std::move(correlated));
+  }
+  if (!(coarse->noise() > 0)) return unchanged(input);
+  FilterRun run = run_filter(input, settings, *coarse);
+  return hold_to_limits(input, settings, coarse->estimate(), run.normal, std::move(run.position));
 }
 
 namespace {

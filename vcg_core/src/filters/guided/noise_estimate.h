@@ -29,7 +29,7 @@ struct NoiseEstimate {
 /// any, and the estimate is 0: a cube of twelve triangles is a cube, not a noisy sphere.
 ///
 /// Noise that varies from vertex to vertex is seen. Steps of voxels alternate as noise does and are seen as such; noise
-/// that is correlated over several edges is taken for shape. New here.
+/// that is correlated over several edges is taken for shape: see find_correlated_noise(). New here.
 NoiseEstimate estimate_noise(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position,
                              const FaceGeometry& faces, Job& job);
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_run.h"
+
+#include <vcg_core/detail/job.h>
+
+#include "blend/blend.h"
+#include "detail_recovery.h"
+#include "normal_filter.h"
+#include "vertex_update.h"
+
+namespace vcg_core::detail {
+
+namespace {
+
+/// The normals after fine rounds: the filter without its blend.
+Array<UnitNormal> fine_normals(const CoarseResult& coarse, Job& job) {
+  const GuidedSettings& settings = coarse.settings;
+  const Array<float> weight = closeness_weights(coarse.within, coarse.faces, coarse.spacing, settings.closeness, job);
+  Array<UnitNormal> normal = in_single(coarse.faces.normal, job);
+  for (int round = 0; settings.fine && round < settings.fine_rounds; ++round) {
+    normal = filter_normals(coarse.within, weight, normal, normal, settings.fine_range, job);
+    job.report(0.5 + 0.3 * (round + 1) / settings.fine_rounds);
+  }
+  return normal;
+}
+
+}  // namespace
+
+FilterRun run_filter(const PassInput& input, const GuidedSettings& settings, CoarseRounds& coarse) {
+  coarse.run();
+  CoarseResult result = coarse.take_result();
+  Job& job = input.job;
+  FilterRun run;
+  run.normal = in_double(settings.blend ? blended_normals(result, job) : fine_normals(result, job), job);
+  run.position = settings.restart ? input.position : result.position;
+  update_positions(input.mesh, run.normal, input.movable, settings.final_updates, settings, run.position, job);
+  job.report(0.95);
+  if (settings.recover_detail && !settings.blend)
+    recover_detail(input.mesh, result.rings, input.position, input.movable, settings, run.position, job);
+  return run;
+}
+
+}  // namespace vcg_core::detail
