@@ -8,6 +8,7 @@
 
 #include <vcg_core/detail/job.h>
 
+#include "ring_heights.h"
 #include "voxel_stairs.h"
 
 namespace vcg_core::detail {
@@ -54,26 +55,6 @@ constexpr double believed_full = 0.05;
 constexpr int testimony_rings = 24;
 
 double ramp(double x, double from, double full) { return std::clamp((x - from) / (full - from), 0.0, 1.0); }
-
-/// Heights of the vertices above the mean of their one ring, along the mean normal of their faces; 0 without faces.
-Array<double> heights(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position,
-                      const FaceGeometry& faces, Job& job) {
-  const MeshTopology& topology = mesh.topology;
-  Array<double> height(mesh.size());
-  job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
-    while (chunks.next())
-      for (std::size_t v = chunks.begin(); v < chunks.end(); ++v) {
-        height[v] = 0;
-        if (topology.star_begin[v] == topology.star_begin[v + 1]) continue;
-        Vec3 normal = Vec3::Zero();
-        for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s)
-          normal += faces.normal[topology.star[s] / 3];
-        const double length = normal.norm();
-        if (length > 0) height[v] = (position[v] - rings.mean(position, v)).dot(normal) / length;
-      }
-  });
-  return height;
-}
 
 /// What one vertex, or several, tell. Products are those of a height and the mean height around it.
 using Evidence = Eigen::Matrix<double, 7, 1>;
@@ -186,7 +167,7 @@ Array<Testimony> find_testimony(const Array<Evidence>& own, const Array<Evidence
 NoiseEstimate estimate_noise(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position,
                              const FaceGeometry& faces, Job& job) {
   if (const auto stairs = find_voxel_stairs(mesh, faces, job)) return noise_of_stairs(mesh, rings, *stairs, faces, job);
-  const Array<Evidence> own = find_evidence(mesh, rings, heights(mesh, rings, position, faces, job), job);
+  const Array<Evidence> own = find_evidence(mesh, rings, ring_heights(mesh, rings, position, faces, job), job);
   const Array<Evidence> around = low_pass(rings, own, evidence_rings, job);
   Array<Testimony> testimony = find_testimony(own, around, job);
   Testimony all = Testimony::Zero();
