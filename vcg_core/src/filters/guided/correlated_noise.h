@@ -22,7 +22,9 @@ NoiseEstimate find_correlated_noise(const PassInput& input);
 /// - kurtosis is 3 for noise; details are few and high, waves and threads too regular;
 /// - skewness is 0 for noise; details stand out to one side;
 /// - the energy of noise is uneven by chance only;
-/// - a wide low-pass leaves as little of it as of noise.
+/// - a wide low-pass leaves less of it than half of what it leaves of noise, as the filter leaves wide waves on the
+/// mesh,
+///   but not what is wide about details.
 double trust_in(const ResidualStatistics& residual, const ResidualStatistics& noise);
 
 }  // namespace vcg_core::detail
