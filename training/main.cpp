@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// train_blend OUT.cpp: trains the networks of the guided filter's blend on generated meshes, says how well they do on
-// meshes that they have not seen, and writes their weights.
+// train_blend NOISE OUT.cpp: trains the networks of the guided filter's blend on generated meshes, says how well they
+// do on meshes that they have not seen, and writes their weights.
 
 #include <cstdint>
 #include <iostream>
@@ -45,12 +45,13 @@ void report(const Samples& samples, const Eigen::MatrixXf& blended, std::ostream
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string out, made_by;
+  std::string noise, out, made_by;
   std::uint64_t seed = 1;
   std::size_t meshes = 300;
   int epochs = 8;
   CLI::App app("Trains the networks of the guided filter's blend.");
   bool ablation = false;
+  app.add_option("NOISE", noise, "white or correlated")->required()->check(CLI::IsMember({"white", "correlated"}));
   app.add_option("OUT", out, "source file to be written");
   app.add_flag("--ablate", ablation, "say what seeds, candidates and scalars make, and write nothing");
   app.add_option("--seed", seed, "of the meshes and of the training")->capture_default_str();
@@ -63,6 +64,7 @@ int main(int argc, char** argv) {
   });
   CLI11_PARSE(app, argc, argv);
   try {
+    const NoiseKind kind = noise == "white" ? NoiseKind::white : NoiseKind::correlated;
     constexpr std::size_t faces = 4000;
     const std::size_t all = meshes + meshes / 4;
     std::vector<Table> tables;
@@ -73,16 +75,16 @@ int main(int argc, char** argv) {
         before = std::make_unique<vcg_core::detail::BlendNetwork>(vcg_core::detail::NetworkTable{
             {t.sizes[0], t.sizes[1], t.sizes[2], t.sizes[3]}, t.value.data(), t.value.size()});
       }
-      const Samples samples = draw_samples(seed, 0, meshes, before.get(), faces);
+      const Samples samples = draw_samples(kind, seed, 0, meshes, before.get(), faces);
       std::cout << "stage " << stage << ": " << samples.input.cols() << " faces, " << samples.input.rows()
                 << " inputs, " << samples.candidate.size() << " candidates\n";
       const Network network = train(samples, {40, 24}, epochs, seed + static_cast<std::uint64_t>(stage), std::cout);
-      const Samples kept_out = draw_samples(seed, meshes, all, before.get(), faces);
+      const Samples kept_out = draw_samples(kind, seed, meshes, all, before.get(), faces);
       report(kept_out, blend(network, kept_out), std::cout);
       if (ablation) ablate(stage, samples, kept_out, epochs, seed, std::cout);
       tables.push_back(table_of(network));
     }
-    if (!ablation) write_weights(out, made_by, tables[0], tables[1]);
+    if (!ablation) write_weights(out, noise, made_by, tables[0], tables[1]);
   } catch (const std::exception& error) {
     std::cerr << "train_blend: " << error.what() << '\n';
     return 1;

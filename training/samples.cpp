@@ -52,8 +52,8 @@ std::vector<vcg::Point3d> truth_by_core_face(const MeshArrays& mesh, const Train
   return truth;
 }
 
-std::optional<Samples> samples_of(std::uint64_t seed, std::size_t number, const BlendNetwork* first_stage,
-                                  std::size_t most) {
+std::optional<Samples> samples_of(NoiseKind noise, std::uint64_t seed, std::size_t number,
+                                  const BlendNetwork* first_stage, std::size_t most) {
   TrainingMesh example = make_training_mesh(seed, number);
   const vcg_core::Progress silent;
   Job job(silent, 1);
@@ -66,7 +66,8 @@ std::optional<Samples> samples_of(std::uint64_t seed, std::size_t number, const 
   const GuidedSettings settings = guided_settings({}, 0);
   const PassInput input{mesh, mesh.position, no_normals, movable, job};
   std::optional<CoarseRounds> coarse(std::in_place, input, settings);
-  if (!(coarse->noise() > 0)) coarse.emplace(input, settings, find_correlated_noise(input));
+  if (!(coarse->noise() > 0) && noise == NoiseKind::correlated)
+    coarse.emplace(input, settings, find_correlated_noise(input));
   if (!(coarse->noise() > 0)) return std::nullopt;
   coarse->run();
   CoarseResult result = coarse->take_result();
@@ -115,13 +116,13 @@ double angle_between(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
   return 2 * std::asin(std::min(1.0, 0.5 * static_cast<double>((a - b).norm()))) * 57.29578;
 }
 
-Samples draw_samples(std::uint64_t seed, std::size_t first_mesh, std::size_t end_mesh, const BlendNetwork* first_stage,
-                     std::size_t most) {
+Samples draw_samples(NoiseKind noise, std::uint64_t seed, std::size_t first_mesh, std::size_t end_mesh,
+                     const BlendNetwork* first_stage, std::size_t most) {
   std::vector<std::optional<Samples>> part(end_mesh - first_mesh);
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i = next++; i < part.size(); i = next++)
-      part[i] = samples_of(seed, first_mesh + i, first_stage, most);
+      part[i] = samples_of(noise, seed, first_mesh + i, first_stage, most);
   };
   std::thread other(work);
   work();

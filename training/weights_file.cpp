@@ -33,10 +33,10 @@ void write_table(std::ostream& out, const char* name, const Table& table) {
       << " is damaged\");\n\n";
 }
 
-void write_function(std::ostream& out, const char* stage, const char* name) {
-  out << "const NetworkTable& " << stage << "_blend_weights() {\n  static const NetworkTable table{{";
+void write_network(std::ostream& out, const char* name) {
+  out << "{{";
   for (int k = 0; k < 4; ++k) out << (k > 0 ? ", " : "") << name << "_sizes[" << k << "]";
-  out << "}, " << name << ", std::size(" << name << ")};\n  return table;\n}\n\n";
+  out << "}, " << name << ", std::size(" << name << ")}";
 }
 
 }  // namespace
@@ -60,19 +60,21 @@ Table table_of(const Network& network) {
   return table;
 }
 
-void write_weights(const std::string& file, const std::string& made_by, const Table& first, const Table& second) {
+void write_weights(const std::string& file, const std::string& noise, const std::string& made_by, const Table& first,
+                   const Table& second) {
   std::ofstream out(file);
-  out << "// SPDX-License-Identifier: GPL-3.0-or-later\n// The weights of the guided filter's blend, in multiples of "
-         "2^-12. Made by\n//   "
-      << made_by
+  out << "// SPDX-License-Identifier: GPL-3.0-or-later\n// The weights of the guided filter's blend for " << noise
+      << " noise, in multiples of 2^-12. Made by\n//   " << made_by
       << "\n// Not to be edited: train again instead.\n\n"
          "#include \"blend_weights.h\"\n\n#include <iterator>\n\nnamespace vcg_core::detail {\n\nnamespace {\n\n";
   write_table(out, "first_stage", first);
   write_table(out, "second_stage", second);
-  out << "}  // namespace\n\n";
-  write_function(out, "first", "first_stage");
-  write_function(out, "second", "second_stage");
-  out << "}  // namespace vcg_core::detail\n";
+  out << "}  // namespace\n\nconst BlendWeights& " << noise
+      << "_noise_weights() {\n  static const BlendWeights weights{";
+  write_network(out, "first_stage");
+  out << ", ";
+  write_network(out, "second_stage");
+  out << "};\n  return weights;\n}\n\n}  // namespace vcg_core::detail\n";
   if (!out.flush()) throw std::runtime_error("cannot write '" + file + "'");
 }
 

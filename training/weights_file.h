@@ -19,7 +19,9 @@ struct Table {
 Table table_of(const Network& network);
 
 /// Writes the source file of the weights. @throws std::runtime_error if it cannot be written
+/// @param noise    white or correlated
 /// @param made_by  a line of comment
-void write_weights(const std::string& file, const std::string& made_by, const Table& first, const Table& second);
+void write_weights(const std::string& file, const std::string& noise, const std::string& made_by, const Table& first,
+                   const Table& second);
 
 }  // namespace training

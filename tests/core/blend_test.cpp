@@ -239,6 +239,11 @@ TEST(BlendNetwork, TakesTheSafeCandidateWhereTheSumIsShort) {
     EXPECT_EQ(blended[f], c.candidates.normal[safe_candidate][f].cast<double>()) << f;
 }
 
+std::vector<NetworkTable> all_tables() {
+  return {white_noise_weights().first, white_noise_weights().second, correlated_noise_weights().first,
+          correlated_noise_weights().second};
+}
+
 TEST(BlendTable, ShowsDamage) {
   RandomCase c;
   const std::uint32_t whole = checksum(c.value.data(), c.value.size());
@@ -248,8 +253,7 @@ TEST(BlendTable, ShowsDamage) {
   std::swap(c.value[20], c.value[21]);
   EXPECT_NE(checksum(c.value.data(), c.value.size()), whole);
   EXPECT_NE(checksum(c.value.data(), c.value.size() - 1), whole);
-  EXPECT_EQ(first_blend_weights().count, values_in(first_blend_weights().sizes));
-  EXPECT_EQ(second_blend_weights().count, values_in(second_blend_weights().sizes));
+  for (const NetworkTable& table : all_tables()) EXPECT_EQ(table.count, values_in(table.sizes));
 }
 
 /// The coarse rounds of a mesh whose vertices may all move.
@@ -283,8 +287,12 @@ TEST(Blend, NetworksFitTheCandidates) {
     EXPECT_EQ(candidates.size(), table.sizes[NetworkTable::layers]);
     EXPECT_EQ(input_count(candidates.size(), candidates.scalar.size()), table.sizes[0]);
   };
-  fits(first_candidates(result, job), first_blend_weights());
-  fits(second_candidates(result, result.noisy_normal, job), second_blend_weights());
+  const Candidates first = first_candidates(result, job);
+  const Candidates second = second_candidates(result, result.noisy_normal, job);
+  for (const BlendWeights* weights : {&white_noise_weights(), &correlated_noise_weights()}) {
+    fits(first, weights->first);
+    fits(second, weights->second);
+  }
 }
 
 TEST(Blend, TurnsWithTheMesh) {
@@ -309,13 +317,13 @@ TEST(Blend, IsTheSameForAnyNumberOfThreads) {
 TEST(Blend, LeavesAPlaneAsItIs) {
   Job job(no_progress, 1);
   Candidates candidates;
-  for (const NetworkTable* table : {&first_blend_weights(), &second_blend_weights()}) {
+  for (const NetworkTable& table : all_tables()) {
     const Vec3f n(0.6F, 0, 0.8F);
-    candidates.normal.assign(table->sizes[3], Array<Vec3f>(20, n));
-    const std::size_t pairs = table->sizes[3] * (table->sizes[3] - 1) / 2;
+    candidates.normal.assign(table.sizes[3], Array<Vec3f>(20, n));
+    const std::size_t pairs = table.sizes[3] * (table.sizes[3] - 1) / 2;
     for (const float noise : {0.0F, 0.3F, 0.6F}) {
-      candidates.scalar.assign(table->sizes[0] - pairs, Array<float>(20, noise));
-      for (const Vec3& normal : in_double(BlendNetwork(*table).blend(candidates, job), job))
+      candidates.scalar.assign(table.sizes[0] - pairs, Array<float>(20, noise));
+      for (const Vec3& normal : in_double(BlendNetwork(table).blend(candidates, job), job))
         EXPECT_LT((normal - n.cast<double>()).norm(), 1e-6);
     }
   }

@@ -18,7 +18,7 @@ using namespace training;
 constexpr std::size_t meshes = 100;
 constexpr std::size_t faces = 1500;
 
-Samples meshes_of(std::uint64_t seed) { return draw_samples(seed, 0, meshes, nullptr, faces); }
+Samples meshes_of(std::uint64_t seed) { return draw_samples(NoiseKind::white, seed, 0, meshes, nullptr, faces); }
 
 double error_on(const Samples& kept_out, const Samples& learned, std::uint64_t seed) {
   std::ostringstream log;
@@ -26,7 +26,7 @@ double error_on(const Samples& kept_out, const Samples& learned, std::uint64_t s
 }
 
 TEST(Training, AnotherSeedReachesTheSameQuality) {
-  const Samples kept_out = draw_samples(5, 100, 100 + meshes, nullptr, faces);
+  const Samples kept_out = draw_samples(NoiseKind::white, 5, 100, 100 + meshes, nullptr, faces);
   const double one = error_on(kept_out, meshes_of(1), 1);
   const double other = error_on(kept_out, meshes_of(2), 2);
   double best = 180;
@@ -38,7 +38,7 @@ TEST(Training, AnotherSeedReachesTheSameQuality) {
 }
 
 TEST(Training, ACandidateLeftOutLeavesTheDistancesBetweenTheOthers) {
-  const Samples all = draw_samples(1, 0, 1, nullptr, 50);
+  const Samples all = draw_samples(NoiseKind::white, 1, 0, 1, nullptr, 50);
   const Samples fewer = without_candidate(all, 2);
   const auto scalars = [](const Samples& samples) {
     const auto count = static_cast<Eigen::Index>(samples.candidate.size());
@@ -55,7 +55,7 @@ TEST(Training, ACandidateLeftOutLeavesTheDistancesBetweenTheOthers) {
 }
 
 TEST(Training, ScalarsLeftOutLeaveTheOthers) {
-  const Samples all = draw_samples(1, 0, 1, nullptr, 50);
+  const Samples all = draw_samples(NoiseKind::white, 1, 0, 1, nullptr, 50);
   const Samples fewer = without_scalars(all, 1, 3);
   const auto count = static_cast<Eigen::Index>(all.candidate.size());
   const Eigen::Index first = count * (count - 1) / 2;

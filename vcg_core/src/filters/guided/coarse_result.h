@@ -8,6 +8,7 @@
 #include "face_geometry.h"
 #include "face_neighborhoods.h"
 #include "guided_settings.h"
+#include "noise_estimate.h"
 #include "ring_means.h"
 #include "unit_normals.h"
 
@@ -18,8 +19,8 @@ struct CoarseResult {
   const MeshArrays& mesh;
   const GuidedSettings& settings;
   const Array<std::uint8_t>& movable;
-  const Array<Vec3>& noisy;    ///< positions
-  const Array<double>& noise;  ///< standard deviation by vertex
+  const Array<Vec3>& noisy;  ///< positions
+  const NoiseEstimate& noise;
   RingMeans rings;
   FaceLists around;
   FaceLists within;

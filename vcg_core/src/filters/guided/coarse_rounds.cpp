@@ -45,7 +45,7 @@ CoarseResult CoarseRounds::take_result() {
           settings_,
           in_.movable,
           in_.position,
-          estimate_.deviation,
+          estimate_,
           std::move(rings_),
           std::move(around_),
           std::move(within_),

@@ -38,6 +38,7 @@ NoiseEstimate even_noise(const MeshArrays& mesh, double deviation) {
   noise.deviation.assign(mesh.size(), deviation);
   noise.mean = deviation;
   noise.evidence = 1;
+  noise.correlated = true;
   return noise;
 }
 
@@ -65,7 +66,7 @@ Residual residual_of_trial(const PassInput& input) {
 
 /// Standard deviation of the noise of which a filter has removed this much: where neighbours agree, the less.
 double whole_deviation(const ResidualStatistics& residual, double correlation) {
-  return std::sqrt(residual.variance) / (1 - 0.75 * correlation * correlation);
+  return std::sqrt(residual.variance) / (1 - 0.4 * correlation * correlation);
 }
 
 }  // namespace

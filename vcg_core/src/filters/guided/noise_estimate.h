@@ -13,6 +13,7 @@ struct NoiseEstimate {
   Array<double> deviation;  ///< by vertex: standard deviation along the normal, in units of the positions
   double mean = 0;          ///< root of the mean square over all vertices
   double evidence = 0;      ///< share of the vertices around which there is more noise than shape
+  bool correlated = false;  ///< over some edges, so that neighbours agree
 };
 
 /// Estimates the noise around each vertex.

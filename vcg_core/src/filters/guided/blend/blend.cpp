@@ -9,10 +9,11 @@
 namespace vcg_core::detail {
 
 Array<UnitNormal> blended_normals(CoarseResult& coarse, Job& job) {
-  Array<UnitNormal> normal = BlendNetwork(first_blend_weights()).blend(first_candidates(coarse, job), job);
+  const BlendWeights& weights = coarse.noise.correlated ? correlated_noise_weights() : white_noise_weights();
+  Array<UnitNormal> normal = BlendNetwork(weights.first).blend(first_candidates(coarse, job), job);
   job.report(0.7);
   if (coarse.settings.second_stage)
-    normal = BlendNetwork(second_blend_weights()).blend(second_candidates(coarse, normal, job), job);
+    normal = BlendNetwork(weights.second).blend(second_candidates(coarse, normal, job), job);
   job.report(0.85);
   return normal;
 }

@@ -5,7 +5,15 @@
 
 namespace vcg_core::detail {
 
-const NetworkTable& first_blend_weights();
-const NetworkTable& second_blend_weights();
+/// The networks of both stages.
+struct BlendWeights {
+  NetworkTable first;
+  NetworkTable second;
+};
+
+/// For noise that differs from vertex to vertex.
+const BlendWeights& white_noise_weights();
+/// For noise that is correlated over some edges.
+const BlendWeights& correlated_noise_weights();
 
 }  // namespace vcg_core::detail

@@ -123,7 +123,7 @@ void add_scalars(const CoarseResult& coarse, Job& job, Candidates& candidates) {
   Array<float> noise(coarse.spacing.size()), size(coarse.spacing.size());
   for_each(noise.size(), job, [&](std::size_t f) {
     double sum = 0;
-    for (const Index v : coarse.mesh.face[f]) sum += coarse.noise[v];
+    for (const Index v : coarse.mesh.face[f]) sum += coarse.noise.deviation[v];
     noise[f] = static_cast<float>(std::sqrt(scale * 0.2 * sum / coarse.spacing[f]));  // 0.6 spacings are an edge
     size[f] = static_cast<float>(coarse.spacing[f] / (coarse.spacing[f] + 0.6 * e));
   });

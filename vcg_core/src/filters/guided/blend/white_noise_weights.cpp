@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The weights of the guided filter's blend, in multiples of 2^-12. Made by
-//   scripts/train --meshes 700 --epochs 12 --seed 31 on 2026-11-26
+// The weights of the guided filter's blend for white noise, in multiples of 2^-12. Made by
+//   scripts/train white --meshes 700 --epochs 12 --seed 31 on 2026-11-26
 // Not to be edited: train again instead.
 
 #include "blend_weights.h"
@@ -528,20 +528,15 @@ static_assert(checksum(second_stage, std::size(second_stage)) == 976033389U, "se
 
 }  // namespace
 
-const NetworkTable& first_blend_weights() {
-  static const NetworkTable table{
-      {first_stage_sizes[0], first_stage_sizes[1], first_stage_sizes[2], first_stage_sizes[3]},
-      first_stage,
-      std::size(first_stage)};
-  return table;
-}
-
-const NetworkTable& second_blend_weights() {
-  static const NetworkTable table{
-      {second_stage_sizes[0], second_stage_sizes[1], second_stage_sizes[2], second_stage_sizes[3]},
-      second_stage,
-      std::size(second_stage)};
-  return table;
+const BlendWeights& white_noise_weights() {
+  static const BlendWeights weights{
+      {{first_stage_sizes[0], first_stage_sizes[1], first_stage_sizes[2], first_stage_sizes[3]},
+       first_stage,
+       std::size(first_stage)},
+      {{second_stage_sizes[0], second_stage_sizes[1], second_stage_sizes[2], second_stage_sizes[3]},
+       second_stage,
+       std::size(second_stage)}};
+  return weights;
 }
 
 }  // namespace vcg_core::detail
