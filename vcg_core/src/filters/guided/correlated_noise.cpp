@@ -38,7 +38,6 @@ NoiseEstimate even_noise(const MeshArrays& mesh, double deviation) {
   noise.deviation.assign(mesh.size(), deviation);
   noise.mean = deviation;
   noise.evidence = 1;
-  noise.correlated = true;
   return noise;
 }
 
@@ -53,6 +52,7 @@ bool is_smooth(const PassInput& input) {
   return median(std::move(height)) < least_height * input.mesh.topology.average_edge_length;
 }
 
+/// With the networks for white noise: those for correlated noise take away more, of details as well.
 Residual residual_of_trial(const PassInput& input) {
   const GuidedSettings settings;
   CoarseRounds coarse(input, settings, even_noise(input.mesh, trial_noise * input.mesh.topology.average_edge_length));
@@ -66,7 +66,7 @@ Residual residual_of_trial(const PassInput& input) {
 
 /// Standard deviation of the noise of which a filter has removed this much: where neighbours agree, the less.
 double whole_deviation(const ResidualStatistics& residual, double correlation) {
-  return std::sqrt(residual.variance) / (1 - 0.4 * correlation * correlation);
+  return std::sqrt(residual.variance) / (1 - 0.75 * correlation * correlation);
 }
 
 }  // namespace
@@ -89,7 +89,9 @@ NoiseEstimate find_correlated_noise(const PassInput& input) {
   const ResidualStatistics of = statistics_of(rings, residual, input.job);
   if (!(of.variance > 0)) return even_noise(input.mesh, 0);
   const ResidualStatistics noise = statistics_of_noise(rings, residual.seen, correlation, input.job);
-  return even_noise(input.mesh, enough * trust_in(of, noise) * whole_deviation(of, correlation));
+  NoiseEstimate found = even_noise(input.mesh, enough * trust_in(of, noise) * whole_deviation(of, correlation));
+  found.correlated = true;
+  return found;
 }
 
 }  // namespace vcg_core::detail
