@@ -80,9 +80,10 @@ std::uint64_t edge_key(int a, int b) {
   return (static_cast<std::uint64_t>(a) << 32) | static_cast<std::uint32_t>(b);
 }
 
-/// Which triangles lie inside: going in from outside the hull, each boundary edge that is crossed changes the answer.
-std::vector<char> inside_triangles(const Triangulation& mesh, std::unordered_set<std::uint64_t> boundary) {
-  std::vector<char> state(mesh.triangles.size(), -1);
+/// Which triangles lie inside (1) or not (0): going in from outside the hull, each boundary edge that is crossed
+/// changes the answer.
+std::vector<signed char> inside_triangles(const Triangulation& mesh, std::unordered_set<std::uint64_t> boundary) {
+  std::vector<signed char> state(mesh.triangles.size(), -1);
   std::vector<int> queue;
   std::unordered_set<std::uint64_t> found;
   const auto crossing = [&](int t, int k) {
@@ -145,7 +146,7 @@ void SurfaceBuilder::add_patch(const Patch& patch) {
   }
   if (!triangulate_) return;
   const Triangulation mesh = delaunay(points);
-  const std::vector<char> inside = inside_triangles(mesh, std::move(boundary));
+  const std::vector<signed char> inside = inside_triangles(mesh, std::move(boundary));
   for (std::size_t t = 0; t < inside.size(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
     if (inside[t]) add_triangle(vertex[a], vertex[b], vertex[c]);
