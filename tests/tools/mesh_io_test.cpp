@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <mesh_tools/mesh_io.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstdio>
 #include <cstring>
+#include <map>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <mesh_tools/random.h>
@@ -316,6 +322,43 @@ TEST_F(MeshIo, stl_in_text_is_read) {
             "   vertex -0.0 1 0\n  endloop\n endfacet\nendsolid a\n"));
   EXPECT_EQ(file.mesh.fn, 2);
   EXPECT_EQ(file.mesh.vn, 4) << "0 and -0 are one place";
+}
+
+TEST_F(MeshIo, stl_numbers_its_vertices_by_their_first_corners) {
+  mesh_tools::Random random(3);
+  using Place = std::array<float, 3>;
+  // Places that many corners share, some with a zero of either sign, and then so many of one corner each that the
+  // reader has to make room.
+  std::vector<Place> corners;
+  const auto whole = [&] { return std::floor(static_cast<float>(8 * random.uniform())); };
+  for (int i = 0; i < 3000; ++i) corners.push_back({whole(), random.uniform() < 0.5 ? 0.0f : -0.0f, whole()});
+  for (int i = 0; i < 30000; ++i)
+    corners.push_back({static_cast<float>(random.normal()), whole(), static_cast<float>(random.uniform())});
+  for (int i = 0; i < 3000; ++i) corners.push_back(corners[static_cast<std::size_t>(36000 * random.uniform()) % 33000]);
+
+  std::string text = "solid\n";
+  char line[80];
+  for (std::size_t i = 0; i < corners.size(); i += 3) {
+    text += "facet\n";
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [x, y, z] = corners[i + k];
+      text.append(line, std::snprintf(line, sizeof line, "vertex %.9g %.9g %.9g\n", x, y, z));
+    }
+    text += "endfacet\n";
+  }
+  const mesh_tools::FlatMesh mesh = mesh_tools::read_flat(write("a.stl", text + "endsolid\n")).mesh;
+
+  std::map<Place, std::uint32_t> number;  // 0 and -0 are the same key
+  ASSERT_EQ(mesh.face.size(), corners.size() / 3);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto [entry, is_new] = number.try_emplace(corners[i], static_cast<std::uint32_t>(number.size()));
+    ASSERT_EQ(mesh.face[i / 3][i % 3], entry->second) << "corner " << i;
+    for (int k = 0; is_new && k < 3; ++k) {
+      const auto stored = static_cast<float>(mesh.position.number(entry->second, k));
+      ASSERT_EQ(std::memcmp(&stored, &corners[i][k], sizeof stored), 0) << "corner " << i;
+    }
+  }
+  EXPECT_EQ(mesh.vertices(), number.size());
 }
 
 TEST_F(MeshIo, formats_say_what_they_lose) {

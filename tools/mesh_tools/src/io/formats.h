@@ -9,6 +9,8 @@
 
 #include <mesh_tools/mesh_io.h>
 
+#include "binary.h"
+
 /// One reader and one writer for each format; read_mesh and write_mesh choose and see to files, permissions, renaming.
 namespace mesh_tools::io {
 
@@ -72,8 +74,6 @@ inline bool is_textured(const FlatMesh& mesh, std::size_t face) { return !std::i
 
 /// A word of a file as part of a message: cut short, without control characters.
 std::string printable(std::string_view word);
-
-bool is_big_endian_machine();
 
 /// The whole file as bytes.
 std::string read_bytes(const std::filesystem::path& path);

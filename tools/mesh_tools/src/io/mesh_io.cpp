@@ -45,13 +45,6 @@ std::string printable(std::string_view word) {
   return word.size() > longest ? text + "..." : text;
 }
 
-bool is_big_endian_machine() {
-  const std::uint16_t one = 1;
-  unsigned char first = 0;
-  std::memcpy(&first, &one, 1);
-  return first == 0;
-}
-
 void check_same_count(const fs::path& path, const char* what, std::size_t read, std::size_t found) {
   if (read == found) return;
   fail(path, "cannot be written with other coordinates: " + std::to_string(read) + " " + what +

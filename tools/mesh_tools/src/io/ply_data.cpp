@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <limits>
 #include <string_view>
 #include <system_error>
@@ -135,14 +134,10 @@ double PlyData::take_text(Type type) {
 double PlyData::take_binary(Type type) {
   const std::size_t size = size_of(type);
   if (size > static_cast<std::size_t>(end_ - at_)) fail_cut_off();
-  char raw[8];
-  std::memcpy(raw, at_, size);
   taken_ = {at_, size};
   at_ += size;
-  if (is_swapped()) std::reverse(raw, raw + size);
-  return visit_type(type, [&raw](auto number) {
-    std::memcpy(&number, raw, sizeof number);
-    return static_cast<double>(number);
+  return visit_type(type, [this](auto number) {
+    return static_cast<double>(number_at<decltype(number)>(taken_.data(), is_swapped()));
   });
 }
 

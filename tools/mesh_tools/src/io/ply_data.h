@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -10,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "binary.h"
 #include "ply_layout.h"
 
 namespace mesh_tools::io {
@@ -94,17 +94,6 @@ class PlyData {
   const PlyLayout::Element* element_ = nullptr;  // where fail_here() is
   std::size_t index_ = 0;
 };
-
-/// The number whose bytes stand at `at`, in the other byte order than this machine's if swapped.
-template <class Number>
-Number number_at(const char* at, bool swapped) {
-  char raw[sizeof(Number)];
-  std::memcpy(raw, at, sizeof raw);
-  if (swapped) std::reverse(raw, raw + sizeof raw);
-  Number number;
-  std::memcpy(&number, raw, sizeof raw);
-  return number;
-}
 
 template <class Number, class Visit>
 void PlyData::visit_as(const char* at, std::size_t stride, std::size_t count, const Visit& visit) const {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes PLY: binary, little-endian.
 
-#include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <initializer_list>
 #include <string>
 #include <type_traits>
@@ -87,10 +85,7 @@ class PlyText {
 
   template <class Value>
   void append(Value value) {
-    char raw[sizeof value];
-    std::memcpy(raw, &value, sizeof value);
-    if (is_big_endian_machine()) std::reverse(raw, raw + sizeof value);
-    bytes_.append(raw, sizeof value);
+    append_binary(bytes_, value);
   }
 
   void append_point(const vcg::Point3d& p) {

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <string_view>
 #include <vector>
 
 #include "formats.h"
 #include "text.h"
+#include "vertex_merger.h"
 
 namespace mesh_tools::io {
 namespace {
@@ -54,17 +54,6 @@ std::vector<Facet> read_text(const std::string& bytes, const std::filesystem::pa
   }
   if (in_facet) reader.fail("the file ends within a facet");
   return facets;
-}
-
-/// A number of a binary file, as the machine has it.
-template <class Number>
-Number number_at(const char* at) {
-  char raw[sizeof(Number)];
-  std::memcpy(raw, at, sizeof raw);
-  if (is_big_endian_machine()) std::reverse(raw, raw + sizeof raw);
-  Number number;
-  std::memcpy(&number, raw, sizeof number);
-  return number;
 }
 
 /// The facets of a binary file, where they are.
@@ -123,67 +112,6 @@ void read_colors(const std::string& bytes, const BinaryFacets& facets, FlatFile&
   }
 }
 
-/// Gives faces common vertices: corners at exactly the same place become one vertex, in the order of the file. An open
-/// hash table of vertex numbers: a node for each vertex would take longer than all the rest.
-class VertexMerger {
- public:
-  /// @param corners  how many there will be
-  VertexMerger(std::size_t corners, Points& places) : places_(places) {
-    // Most meshes have a vertex for six corners: the table is mostly empty, and grows where it is not.
-    std::size_t room = 64;
-    while (room < corners / 3) room *= 2;
-    slot_.assign(room, none);
-  }
-
-  std::uint32_t vertex_at(const vcg::Point3f& place) {
-    if (2 * places_.size() >= slot_.size()) grow();
-    std::size_t at = hash(place) & (slot_.size() - 1);
-    for (; slot_[at] != none; at = (at + 1) & (slot_.size() - 1))
-      if (is_at(slot_[at], place)) return slot_[at];
-    slot_[at] = static_cast<std::uint32_t>(places_.size());
-    places_.push_back(vcg::Point3d(place[0], place[1], place[2]));
-    return slot_[at];
-  }
-
- private:
-  static constexpr std::uint32_t none = 0xffffffff;
-
-  /// By bits, so that numbers that are none do no harm; -0 and 0 are the same place.
-  static std::uint32_t bits_of(float number) {
-    const float value = number + 0.0f;
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, &value, sizeof bits);
-    return bits;
-  }
-
-  bool is_at(std::uint32_t vertex, const vcg::Point3f& place) const {
-    const float* const other = places_.floats() + 3 * static_cast<std::size_t>(vertex);
-    return bits_of(other[0]) == bits_of(place[0]) && bits_of(other[1]) == bits_of(place[1]) &&
-           bits_of(other[2]) == bits_of(place[2]);
-  }
-
-  static std::uint64_t hash(const vcg::Point3f& place) {
-    std::uint64_t hash = 0;
-    for (int k = 0; k < 3; ++k) hash = (hash ^ bits_of(place[k])) * 0x9e3779b97f4a7c15u + (hash >> 29);
-    return hash ^ hash >> 32;
-  }
-
-  void grow() {
-    std::vector<std::uint32_t> old(2 * slot_.size(), none);
-    old.swap(slot_);
-    for (const std::uint32_t vertex : old) {
-      if (vertex == none) continue;
-      const float* const place = places_.floats() + 3 * static_cast<std::size_t>(vertex);
-      std::size_t at = hash({place[0], place[1], place[2]}) & (slot_.size() - 1);
-      while (slot_[at] != none) at = (at + 1) & (slot_.size() - 1);
-      slot_[at] = vertex;
-    }
-  }
-
-  Points& places_;
-  std::vector<std::uint32_t> slot_;
-};
-
 template <class Facets>
 void build(const Facets& facets, const std::filesystem::path& path, FlatMesh& mesh) {
   if (facets.size() == 0) fail(path, "holds no facets");
@@ -193,10 +121,17 @@ void build(const Facets& facets, const std::filesystem::path& path, FlatMesh& me
          "has " + std::to_string(facets.size()) + " facets; at most " + std::to_string(most_facets) + " can be read");
   VertexMerger merger(3 * facets.size(), mesh.position);
   mesh.face.reserve(facets.size());
-  for (std::size_t i = 0; i < facets.size(); ++i) {
-    const Facet facet = facets[i];
-    const std::uint32_t a = merger.vertex_at(facet.corner[0]), b = merger.vertex_at(facet.corner[1]);
-    mesh.face.push_back({a, b, merger.vertex_at(facet.corner[2])});
+  constexpr std::size_t largest_block = VertexMerger::largest_block / 3;
+  vcg::Point3f corner[3 * largest_block];
+  std::uint32_t vertex[3 * largest_block];
+  for (std::size_t begin = 0; begin < facets.size(); begin += largest_block) {
+    const std::size_t block = std::min(largest_block, facets.size() - begin);
+    for (std::size_t i = 0; i < block; ++i) {
+      const Facet facet = facets[begin + i];
+      std::copy(facet.corner, facet.corner + 3, corner + 3 * i);
+    }
+    merger.merge(corner, 3 * block, vertex);
+    for (std::size_t i = 0; i < block; ++i) mesh.face.push_back({vertex[3 * i], vertex[3 * i + 1], vertex[3 * i + 2]});
   }
 }
 
@@ -266,16 +201,10 @@ std::string stl_bytes(const FlatFile& file) {
   std::string bytes = "VCG";
   bytes.resize(header_size - sizeof(std::uint32_t), ' ');
   bytes.reserve(header_size + facet_size * mesh.face.size());
-  const auto append = [&bytes](auto value) {
-    char raw[sizeof value];
-    std::memcpy(raw, &value, sizeof value);
-    if (is_big_endian_machine()) std::reverse(raw, raw + sizeof value);
-    bytes.append(raw, sizeof value);
+  const auto append_point = [&bytes](const vcg::Point3d& p) {
+    for (int k = 0; k < 3; ++k) append_binary(bytes, static_cast<float>(p[k]));
   };
-  const auto append_point = [&append](const vcg::Point3d& p) {
-    for (int k = 0; k < 3; ++k) append(static_cast<float>(p[k]));
-  };
-  append(static_cast<std::uint32_t>(mesh.face.size()));
+  append_binary(bytes, static_cast<std::uint32_t>(mesh.face.size()));
   const bool colored = (file.attributes & face_color) != 0 && !mesh.face_color.empty();
   for (std::size_t f = 0; f < mesh.face.size(); ++f) {
     const auto& face = mesh.face[f];
@@ -283,7 +212,7 @@ std::string stl_bytes(const FlatFile& file) {
     append_point(((corner[1] - corner[0]) ^ (corner[2] - corner[0])).Normalize());
     for (const vcg::Point3d& place : corner) append_point(place);
     vcg::Color4b color = colored ? mesh.face_color[f] : vcg::Color4b();
-    append(static_cast<std::uint16_t>(colored ? color_bit | vcg::Color4b::ToUnsignedB5G5R5(color) : 0));
+    append_binary(bytes, static_cast<std::uint16_t>(colored ? color_bit | vcg::Color4b::ToUnsignedB5G5R5(color) : 0));
   }
   return bytes;
 }

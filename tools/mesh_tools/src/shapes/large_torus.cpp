@@ -1,28 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <mesh_tools/large_torus.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <string>
 
 #include <durable_files/pending_file.h>
 #include <mesh_tools/mesh_io.h>
 
-#include "../io/formats.h"
+#include "../io/binary.h"
 #include "torus_layout.h"
 
 namespace mesh_tools {
 namespace {
 
-template <class Number>
-void append(std::string& bytes, Number number) {
-  char raw[sizeof number];
-  std::memcpy(raw, &number, sizeof number);
-  if (io::is_big_endian_machine()) std::reverse(raw, raw + sizeof number);
-  bytes.append(raw, sizeof number);
-}
+using io::append_binary;
 
 class TorusWriter {
  public:
@@ -38,12 +30,12 @@ class TorusWriter {
     bytes_ += "element face " + std::to_string(2 * vertices) + "\nproperty list uchar int vertex_indices\nend_header\n";
     for_each_vertex([&](int row, int column) {
       for (const double x : torus_.point(row, column))
-        in_double_ ? append(bytes_, x) : append(bytes_, static_cast<float>(x));
+        in_double_ ? append_binary(bytes_, x) : append_binary(bytes_, static_cast<float>(x));
     });
     for_each_vertex([&](int row, int column) {
       for (const std::array<int, 3>& face : torus_.faces(row, column)) {
-        append(bytes_, std::uint8_t{3});
-        for (const int v : face) append(bytes_, std::int32_t{v});
+        append_binary(bytes_, std::uint8_t{3});
+        for (const int v : face) append_binary(bytes_, std::int32_t{v});
       }
     });
     file_.complete();

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gltf_file.h"
 
-#include <algorithm>
-#include <cstring>
 
 #include "../formats.h"
 #include "../text.h"
@@ -15,12 +13,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using Buffer = GltfFile::Buffer;
 
-std::uint32_t number_at(std::string_view bytes, std::size_t at) {
-  std::uint32_t number = 0;
-  for (std::size_t k = 4; k-- > 0;) number = number << 8 | static_cast<unsigned char>(bytes[at + k]);
-  return number;
-}
-
 /// The content of a chunk and where it begins.
 struct Chunk {
   std::string_view type, content;
@@ -30,13 +22,13 @@ struct Chunk {
 std::vector<Chunk> chunks_of(std::string_view bytes, const fs::path& path) {
   constexpr std::size_t header = 12, chunk_header = 8;
   if (bytes.size() < header) fail(path, "is cut off: a GLB file has a header of 12 bytes");
-  if (number_at(bytes, 4) != 2)
-    fail(path, "is GLB of version " + std::to_string(number_at(bytes, 4)) + "; 2 is supported");
-  const std::size_t length = number_at(bytes, 8);
+  const auto number = [&](std::size_t at) { return number_at<std::uint32_t>(bytes.data() + at); };
+  if (number(4) != 2) fail(path, "is GLB of version " + std::to_string(number(4)) + "; 2 is supported");
+  const std::size_t length = number(8);
   if (length > bytes.size()) fail(path, "is cut off: it says that it has " + std::to_string(length) + " bytes");
   std::vector<Chunk> chunks;
   for (std::size_t at = header; at + chunk_header <= length;) {
-    const std::size_t size = number_at(bytes, at);
+    const std::size_t size = number(at);
     if (size > length - at - chunk_header) fail(path, "has a chunk that goes beyond its end");
     chunks.push_back({bytes.substr(at + 4, 4), bytes.substr(at + chunk_header, size), at + chunk_header});
     at += chunk_header + size;

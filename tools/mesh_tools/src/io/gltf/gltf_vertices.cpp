@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gltf_vertices.h"
 
-#include <algorithm>
-#include <cstring>
-
-#include "../formats.h"
+#include "../binary.h"
 
 namespace mesh_tools::io {
 namespace {
@@ -37,23 +34,13 @@ Point3d exact(const Point3f& p) { return {p[0], p[1], p[2]}; }
 Point3f vector_at(const GltfFile& file, const GltfVectors& vectors, std::size_t index) {
   const char* at = file.buffers[vectors.buffer].bytes.data() + vectors.offset + index * vectors.stride;
   Point3f result;
-  for (int k = 0; k < 3; ++k, at += sizeof(float)) {
-    char raw[sizeof(float)];
-    std::memcpy(raw, at, sizeof raw);
-    if (is_big_endian_machine()) std::reverse(raw, raw + sizeof raw);
-    std::memcpy(&result[k], raw, sizeof raw);
-  }
+  for (int k = 0; k < 3; ++k, at += sizeof(float)) result[k] = number_at<float>(at);
   return result;
 }
 
 void set_vector(GltfFile& file, const GltfVectors& vectors, std::size_t index, const Point3f& value) {
   char* at = file.buffers[vectors.buffer].bytes.data() + vectors.offset + index * vectors.stride;
-  for (int k = 0; k < 3; ++k, at += sizeof(float)) {
-    char raw[sizeof(float)];
-    std::memcpy(raw, &value[k], sizeof raw);
-    if (is_big_endian_machine()) std::reverse(raw, raw + sizeof raw);
-    std::memcpy(at, raw, sizeof raw);
-  }
+  for (int k = 0; k < 3; ++k, at += sizeof(float)) put_number(at, value[k]);
 }
 
 Point3d place_of(const GltfFile& file, const GltfVertices& set, std::size_t index) {

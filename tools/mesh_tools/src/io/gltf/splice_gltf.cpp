@@ -181,17 +181,9 @@ class GltfSplicer {
     const std::size_t before = file_.text.size();
     bytes_.replace(at, before, text);
     if (!file_.is_glb) return;
-    put_number(at - 8, static_cast<std::uint32_t>(text.size()));
-    put_number(8, number_at(8) + static_cast<std::uint32_t>(text.size() - before));
-  }
-
-  std::uint32_t number_at(std::size_t at) const {
-    std::uint32_t number = 0;
-    for (std::size_t k = 4; k-- > 0;) number = number << 8 | static_cast<unsigned char>(bytes_[at + k]);
-    return number;
-  }
-  void put_number(std::size_t at, std::uint32_t number) {
-    for (std::size_t k = 0; k < 4; ++k) bytes_[at + k] = static_cast<char>(number >> (8 * k));
+    put_number(bytes_.data() + at - 8, static_cast<std::uint32_t>(text.size()));
+    char* const size = bytes_.data() + 8;  // of the whole file
+    put_number(size, number_at<std::uint32_t>(size) + static_cast<std::uint32_t>(text.size() - before));
   }
 
   std::string& bytes_;

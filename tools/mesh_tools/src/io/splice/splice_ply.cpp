@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <tuple>
 #include <type_traits>
@@ -71,8 +70,7 @@ class PlyNumbers {
       } else {
         const auto number = static_cast<Number>(wanted);
         if (is_same_number(before, number)) continue;
-        std::memcpy(at, &number, sizeof number);
-        if (swapped) std::reverse(at, at + sizeof number);
+        put_number(at, number, swapped);
       }
     }
   }
@@ -112,10 +110,7 @@ class PlyNumbers {
 
   template <class Number>
   void put_binary(std::string_view raw, Number number) {
-    char binary[sizeof number];
-    std::memcpy(binary, &number, sizeof number);
-    if (is_swapped()) std::reverse(binary, binary + sizeof number);
-    std::memcpy(bytes_.data() + (raw.data() - bytes_.data()), binary, sizeof number);
+    put_number(bytes_.data() + (raw.data() - bytes_.data()), number, is_swapped());
   }
 
   bool is_swapped() const { return (format_ == PlyLayout::Format::big_endian) != is_big_endian_machine(); }
