@@ -35,6 +35,30 @@ int create(const fs::path& path, const fs::path& replaced, std::error_code& erro
   return file;
 }
 
+const bool replaces_open_files = true;
+
+int open(const fs::path& path, std::error_code& error) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  error = error_unless(file >= 0);
+  return file;
+}
+
+InputFile::State state_of(int file, std::error_code& error) {
+  struct stat status = {};
+  error = error_unless(::fstat(file, &status) == 0);
+  return {S_ISREG(status.st_mode), static_cast<std::uint64_t>(status.st_size),
+          std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec};
+}
+
+std::size_t read(int file, std::uint64_t offset, char* bytes, std::size_t count, std::error_code& error) {
+  ssize_t got = 0;
+  do {
+    got = ::pread(file, bytes, count, static_cast<off_t>(offset));
+  } while (got < 0 && errno == EINTR);
+  error = error_unless(got >= 0);
+  return got < 0 ? 0 : static_cast<std::size_t>(got);
+}
+
 std::error_code write(int file, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(file, bytes.data(), bytes.size());

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
+#include <cstdio>
 
 #include <durable_files/access.h>
 #include <durable_files/replace_file.h>
@@ -15,6 +17,8 @@
 namespace durable_files {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr std::size_t most_at_once = 1 << 30;  // Windows counts the bytes of a call in 32 bits
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 std::error_code error_unless(bool done) { return done ? std::error_code() : last_error(); }
@@ -35,8 +39,32 @@ int create(const fs::path& path, const fs::path& /*replaced*/, std::error_code& 
   return file;
 }
 
+const bool replaces_open_files = false;
+
+int open(const fs::path& path, std::error_code& error) {
+  const int file = ::_wopen(path.c_str(), _O_RDONLY | _O_BINARY | _O_NOINHERIT);
+  error = error_unless(file >= 0);
+  return file;
+}
+
+InputFile::State state_of(int file, std::error_code& error) {
+  struct _stat64 status = {};
+  FILETIME written = {};
+  error = error_unless(::_fstat64(file, &status) == 0);
+  if (!error && !::GetFileTime(reinterpret_cast<HANDLE>(::_get_osfhandle(file)), nullptr, nullptr, &written))
+    written = {};  // of a console, for one
+  const auto ticks = static_cast<std::int64_t>(written.dwHighDateTime) << 32 | written.dwLowDateTime;  // of 100 ns
+  return {(status.st_mode & _S_IFMT) == _S_IFREG, static_cast<std::uint64_t>(status.st_size), 100 * ticks};
+}
+
+std::size_t read(int file, std::uint64_t offset, char* bytes, std::size_t count, std::error_code& error) {
+  const bool found = ::_lseeki64(file, static_cast<std::int64_t>(offset), SEEK_SET) >= 0;
+  const int got = found ? ::_read(file, bytes, static_cast<unsigned>(std::min(count, most_at_once))) : -1;
+  error = error_unless(got >= 0);
+  return got < 0 ? 0 : static_cast<std::size_t>(got);
+}
+
 std::error_code write(int file, std::string_view bytes) {
-  constexpr std::size_t most_at_once = 1 << 30;  // Windows counts the bytes of a call in 32 bits
   while (!bytes.empty()) {
     const int written = ::_write(file, bytes.data(), static_cast<unsigned>(std::min(bytes.size(), most_at_once)));
     if (written < 0) return last_error();

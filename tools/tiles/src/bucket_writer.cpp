@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bucket_writer.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <utility>
 
 #include <durable_files/replace_file.h>
@@ -43,25 +41,12 @@ void BucketWriter::flush(std::size_t tile) {
 std::filesystem::path BucketWriter::path_of(std::size_t tile) const { return folder_ / (name_ + std::to_string(tile)); }
 
 void append_to_file(const std::filesystem::path& path, const void* bytes, std::size_t count) {
-  const auto fail = [&] {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary | std::ios::app);
+  file.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(count));
+  file.close();
+  if (!file)
     throw durable_files::WriteError(path.string() + ": could not be written to its end: " + std::strerror(errno));
-  };
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (file < 0) fail();
-  const char* at = static_cast<const char*>(bytes);
-  while (count > 0) {
-    const ssize_t written = ::write(file, at, count);
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      const int error = errno;
-      ::close(file);
-      errno = error;
-      fail();
-    }
-    at += written;
-    count -= static_cast<std::size_t>(written);
-  }
-  if (::close(file) != 0) fail();
 }
 
 }  // namespace tiles

@@ -1,44 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "input_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <string>
+#include <system_error>
 
 #include "fail.h"
 
 namespace tiles {
-InputFile::InputFile(const std::filesystem::path& path) : path_(path) {
-  struct stat state = {};
-  file_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const int error = file_ < 0 || ::fstat(file_, &state) != 0 ? errno : 0;
-  if (error == 0 && S_ISREG(state.st_mode)) {
-    size_ = static_cast<std::uint64_t>(state.st_size);
-    modified_ = std::int64_t{state.st_mtim.tv_sec} * 1'000'000'000 + state.st_mtim.tv_nsec;
-    return;
-  }
-  if (file_ >= 0) ::close(file_);
-  fail(path, error != 0 ? std::string("cannot be read: ") + std::strerror(error) : "is not a regular file");
+
+InputFile::InputFile(const std::filesystem::path& path) try : file_(path) {
+  if (!file_.state().is_regular) fail(path, "is not a regular file");
+} catch (const std::system_error& error) {
+  fail(path, "cannot be read: " + error.code().message());
 }
 
-InputFile::~InputFile() { ::close(file_); }
-
 void InputFile::read(std::uint64_t offset, void* bytes, std::size_t count) const {
-  char* to = static_cast<char*>(bytes);
-  while (count > 0) {
-    const ssize_t got = ::pread(file_, to, count, static_cast<off_t>(offset));
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) fail(path_, std::string("cannot be read: ") + std::strerror(errno));
-    if (got == 0) fail(path_, "is cut off: it ends at byte " + std::to_string(offset));
-    to += got;
-    offset += static_cast<std::uint64_t>(got);
-    count -= static_cast<std::size_t>(got);
+  std::size_t got = 0;
+  try {
+    got = file_.read(offset, bytes, count);
+  } catch (const std::system_error& error) {
+    fail(path(), "cannot be read: " + error.code().message());
   }
+  if (got < count) fail(path(), "is cut off: it ends at byte " + std::to_string(offset + got));
 }
 
 SequentialReader::SequentialReader(const InputFile& file, std::uint64_t begin, std::uint64_t end, std::size_t buffer)

@@ -6,28 +6,24 @@
 #include <filesystem>
 #include <vector>
 
+#include <durable_files/input_file.h>
+
 namespace tiles {
 
 /// A file that is read in parts, wherever they lie. All throw mesh_tools::FileError.
 class InputFile {
  public:
   explicit InputFile(const std::filesystem::path& path);
-  ~InputFile();
-  InputFile(const InputFile&) = delete;
-  InputFile& operator=(const InputFile&) = delete;
 
-  const std::filesystem::path& path() const { return path_; }
-  std::uint64_t size() const { return size_; }
-  std::int64_t modified() const { return modified_; }  ///< when it was last written, in nanoseconds
+  const std::filesystem::path& path() const { return file_.path(); }
+  std::uint64_t size() const { return file_.state().size; }
+  std::int64_t modified() const { return file_.state().modified; }  ///< when it was last written, in nanoseconds
 
   /// Reads `count` bytes from `offset` on; fewer are an error.
   void read(std::uint64_t offset, void* bytes, std::size_t count) const;
 
  private:
-  std::filesystem::path path_;
-  int file_ = -1;
-  std::uint64_t size_ = 0;
-  std::int64_t modified_ = 0;
+  durable_files::InputFile file_;
 };
 
 /// Reads a range of a file from its beginning to its end, through a buffer.

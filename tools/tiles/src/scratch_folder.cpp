@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scratch_folder.h"
 
-#include <sys/stat.h>
-
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <random>
 #include <string>
 #include <system_error>
@@ -23,15 +18,14 @@ ScratchFolder::ScratchFolder(const fs::path& place) {
   if (fs::exists(place_, error) && !(fs::is_directory(place_, error) && fs::is_empty(place_, error)))
     fail(place, "is there already, and not empty");
   std::random_device random;
-  int made = 0;
+  bool made = false;
   do {
     path_ = place_.parent_path() / ("." + place_.filename().string() + "." + std::to_string(random()) + ".part");
-    made = ::mkdir(path_.c_str(), 0777);
-  } while (made != 0 && errno == EEXIST);
-  if (made == 0) return;
-  const std::string reason = std::strerror(errno);
+    made = fs::create_directory(path_, error);
+  } while (!made && !error);  // there is one already
+  if (made) return;
   path_.clear();
-  fail(place, "cannot be made: " + reason);
+  fail(place, "cannot be made: " + error.message());
 }
 
 ScratchFolder::~ScratchFolder() {
@@ -40,8 +34,9 @@ ScratchFolder::~ScratchFolder() {
 }
 
 void ScratchFolder::put_in_place() {
-  if (std::rename(path_.c_str(), place_.c_str()) != 0)
-    fail(place_, std::string("cannot be made: ") + std::strerror(errno));
+  std::error_code error;
+  fs::rename(path_, place_, error);
+  if (error) fail(place_, "cannot be made: " + error.message());
   path_.clear();
   durable_files::flush_folder(place_.parent_path());
 }

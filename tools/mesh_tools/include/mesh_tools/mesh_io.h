@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include <durable_files/input_file.h>
 #include <mesh_tools/flat_mesh.h>
 #include <mesh_tools/mesh.h>
 
@@ -77,22 +77,19 @@ struct OriginalFile {
 };
 
 /// A file that was read and will be read again, when it is written with other numbers: meanwhile its bytes are not
-/// kept. It stays open, so that it may be replaced or removed in between, by its own result for one.
+/// kept.
 class SourceFile {
  public:
   SourceFile() = default;
   /// @throws FileError
-  explicit SourceFile(std::filesystem::path path);
+  explicit SourceFile(const std::filesystem::path& path);
 
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return file_.path(); }
   std::string read() const;  ///< @throws FileError
   bool has_changed() const;  ///< whether its size or its time is another one than when it was opened
 
  private:
-  std::filesystem::path path_;
-  std::shared_ptr<const int> descriptor_;
-  std::uint64_t size_ = 0;
-  std::int64_t seconds_ = 0, nanoseconds_ = 0;
+  durable_files::InputFile file_;
 };
 
 /// A text and where it goes.

@@ -75,7 +75,4 @@ inline bool is_textured(const FlatMesh& mesh, std::size_t face) { return !std::i
 /// A word of a file as part of a message: cut short, without control characters.
 std::string printable(std::string_view word);
 
-/// The whole file as bytes.
-std::string read_bytes(const std::filesystem::path& path);
-
 }  // namespace mesh_tools::io

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <limits>
 #include <list>
 #include <system_error>
@@ -49,21 +46,6 @@ void check_same_count(const fs::path& path, const char* what, std::size_t read, 
   if (read == found) return;
   fail(path, "cannot be written with other coordinates: " + std::to_string(read) + " " + what +
                  " were read from it, and " + std::to_string(found) + " are found in it");
-}
-
-std::string read_bytes(const fs::path& path) {
-  std::error_code error;
-  // Anything else could keep the program waiting, or never end.
-  if (!fs::is_regular_file(path, error))
-    fail(path, "cannot be read: there is no such file, or it is not a regular one");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) fail(path, std::string("cannot be read: ") + std::strerror(errno));
-  std::string bytes;
-  bytes.resize(fs::file_size(path, error));
-  if (error) fail(path, "cannot be read: " + error.message());
-  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (static_cast<std::size_t>(stream.gcount()) != bytes.size()) fail(path, "could not be read to its end");
-  return bytes;
 }
 
 }  // namespace io
@@ -221,7 +203,7 @@ FlatFile read_from(const std::string& bytes, const fs::path& path) {
 
 MeshFile read_mesh(const fs::path& path, OriginalFile* original) {
   check_readable(path);
-  std::string bytes = io::read_bytes(path);
+  std::string bytes = SourceFile(path).read();
   FlatFile file = read_from(bytes, path);
   if (original)
     *original = {path, std::move(bytes)};

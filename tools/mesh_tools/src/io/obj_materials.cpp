@@ -100,7 +100,7 @@ void ObjMaterials::add_library(const fs::path& name) {
 
 void ObjMaterials::read_library(const fs::path& name) {
   const fs::path path = folder_ / name;
-  const std::string text = read_bytes(path);
+  const std::string text = SourceFile(path).read();
   LineReader reader(text, path, Comments::outside_names);
   std::size_t odd_entries = 0;
   std::optional<double> d, tr;

@@ -57,7 +57,7 @@ Buffer open_buffer(const std::string& uri, const fs::path& path) {
   }
   buffer.name = without_escapes(uri);
   try {
-    buffer.bytes = read_bytes(path.parent_path() / buffer.name);
+    buffer.bytes = SourceFile(path.parent_path() / buffer.name).read();
     buffer.place = Buffer::Place::file;
   } catch (const FileError& error) {
     buffer.problem = error.what();
