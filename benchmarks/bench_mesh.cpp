@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include <job.h>
 #include <mesh/read_mesh.h>
 #include <mesh_tools/noise.h>
 #include <mesh_tools/shapes.h>
-#include <vcg_core/detail/job.h>
 #include <vcg_core/mesh/vcglib_view.h>
 
 #include "filters/paper/lanes/lane_kernels.h"

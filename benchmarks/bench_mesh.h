@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <string>
 
+#include <job.h>
+#include <mesh_arrays.h>
 #include <mesh_tools/mesh.h>
-#include <vcg_core/detail/job.h>
-#include <vcg_core/detail/mesh_arrays.h>
 
 namespace bench {
 

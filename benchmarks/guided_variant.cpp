@@ -10,10 +10,10 @@
 #include <stdexcept>
 #include <string>
 
+#include <job.h>
 #include <mesh/commit_positions.h>
 #include <mesh/read_mesh.h>
 #include <mesh_tools/mesh_io.h>
-#include <vcg_core/detail/job.h>
 #include <vcg_core/mesh/vcglib_view.h>
 #include <vcg_core/method.h>
 

@@ -7,9 +7,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include <job.h>
 #include <mesh/read_mesh.h>
 #include <support/high_valence.h>
-#include <vcg_core/detail/job.h>
 #include <vcg_core/mesh/vcglib_view.h>
 
 #include "bench_mesh.h"

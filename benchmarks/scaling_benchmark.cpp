@@ -6,10 +6,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include <job.h>
 #include <mesh/commit_positions.h>
 #include <mesh/read_mesh.h>
 #include <smooth_arrays.h>
-#include <vcg_core/detail/job.h>
 #include <vcg_core/mesh/vcglib_view.h>
 #include <vcg_core/smoothing.h>
 

@@ -9,8 +9,8 @@
 #include <optional>
 #include <thread>
 
+#include <job.h>
 #include <mesh/read_mesh.h>
-#include <vcg_core/detail/job.h>
 #include <vcg_core/mesh/vcglib_view.h>
 #include <vcg_core/method.h>
 

@@ -9,10 +9,10 @@
 #include <gtest/gtest.h>
 #include <Eigen/Dense>
 
+#include <job.h>
 #include <mesh_tools/random.h>
 #include <support/arrays_of.h>
 #include <support/noisy_shapes.h>
-#include <vcg_core/detail/job.h>
 
 #include "filters/guided/blend/band_limits.h"
 #include "filters/guided/blend/blend.h"

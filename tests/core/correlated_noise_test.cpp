@@ -11,10 +11,9 @@
 #include <support/arrays_of.h>
 #include <support/mesh_types.h>
 #include <support/packed.h>
-#include <vcg_core/detail/job.h>
 #include <vcg_core/mesh/measures.h>
-
 #include "filters/guided/correlated_noise.h"
+#include "job.h"
 
 namespace {
 

@@ -14,11 +14,11 @@
 #include <filters/guided/face_neighborhoods.h>
 #include <mesh/read_mesh.h>
 
+#include <job.h>
 #include <mesh_tools/random.h>
 #include <support/hand_made.h>
 #include <support/packed.h>
 #include <support/split_mesh.h>
-#include <vcg_core/detail/job.h>
 #include <vcg_core/mesh/smoothing.h>
 
 namespace {

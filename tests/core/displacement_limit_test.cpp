@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <job.h>
 #include <support/arrays_of.h>
 #include <support/hand_made.h>
-#include <vcg_core/detail/job.h>
 
 #include "filters/guided/displacement_limit.h"
 #include "filters/guided/face_geometry.h"

@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <job.h>
+#include <mesh_arrays.h>
 #include <support/arrays_of.h>
 #include <support/noisy_shapes.h>
-#include <vcg_core/detail/job.h>
-#include <vcg_core/detail/mesh_arrays.h>
 
 #include "filters/guided/attribute_smoothing.h"
 #include "filters/guided/detail_recovery.h"

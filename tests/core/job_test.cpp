@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The core's job: stages, progress and parallel loops.
 
-#include <vcg_core/detail/job.h>
+#include <job.h>
 
 #include <algorithm>
 #include <atomic>

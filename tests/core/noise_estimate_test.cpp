@@ -8,12 +8,12 @@
 
 #include <gtest/gtest.h>
 
+#include <job.h>
 #include <mesh_tools/noise.h>
 #include <mesh_tools/shapes.h>
 #include <support/arrays_of.h>
 #include <support/clean_shapes.h>
 #include <support/mesh_types.h>
-#include <vcg_core/detail/job.h>
 
 #include "filters/guided/noise_estimate.h"
 

@@ -9,11 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include <job.h>
 #include <mesh/read_mesh.h>
 #include <smooth_arrays.h>
 #include <support/hand_made.h>
 #include <support/mesh_types.h>
-#include <vcg_core/detail/job.h>
 #include <vcg_core/mesh/vcglib_view.h>
 
 namespace {

@@ -11,11 +11,11 @@
 
 #include <gtest/gtest.h>
 
+#include <job.h>
 #include <support/hand_made.h>
 #include <support/mesh_types.h>
 #include <support/progress_log.h>
 #include <support/raw_snapshot.h>
-#include <vcg_core/detail/job.h>
 #include <vcg_core/geodesic_distance.h>
 #include <vcg_core/smoothing.h>
 

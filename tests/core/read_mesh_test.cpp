@@ -16,11 +16,11 @@
 
 #include <gtest/gtest.h>
 
+#include <job.h>
 #include <support/hand_made.h>
 #include <support/mesh_types.h>
 #include <support/naive_reference.h>
 #include <support/noisy_shapes.h>
-#include <vcg_core/detail/job.h>
 #include <vcg_core/errors.h>
 #include <vcg_core/mesh/vcglib_view.h>
 

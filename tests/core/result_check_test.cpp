@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <job.h>
 #include <mesh/read_mesh.h>
 #include <power_of_two.h>
 #include <support/bad_meshes.h>
@@ -21,7 +22,6 @@
 #include <support/noisy_shapes.h>
 #include <support/result_census.h>
 #include <support/smoothed_by.h>
-#include <vcg_core/detail/job.h>
 #include <vcg_core/mesh/vcglib_view.h>
 #include <vcg_core/smoothing.h>
 

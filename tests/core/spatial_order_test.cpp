@@ -12,8 +12,8 @@
 
 #include <gtest/gtest.h>
 
+#include <job.h>
 #include <mesh_tools/random.h>
-#include <vcg_core/detail/job.h>
 #include <vcg_core/errors.h>
 
 #include <mesh/weld.h>

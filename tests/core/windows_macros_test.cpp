@@ -36,9 +36,6 @@
 #define ERROR 0
 #define DELETE (0x00010000L)
 
-#include <vcg_core/detail/array.h>
-#include <vcg_core/detail/job.h>
-#include <vcg_core/detail/mesh_arrays.h>
 #include <vcg_core/distance_colors.h>
 #include <vcg_core/errors.h>
 #include <vcg_core/geodesic_distance.h>

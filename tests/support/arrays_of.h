@@ -3,9 +3,9 @@
 
 #include <utility>
 
+#include <job.h>
+#include <mesh_arrays.h>
 #include <support/flat_mesh.h>
-#include <vcg_core/detail/job.h>
-#include <vcg_core/detail/mesh_arrays.h>
 
 namespace test_support {
 

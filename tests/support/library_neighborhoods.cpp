@@ -5,9 +5,9 @@
 
 #include <filters/paper/paper_filter.h>
 #include <geodesic_march.h>
+#include <job.h>
 #include <mesh/read_mesh.h>
 #include <triangle_frames.h>
-#include <vcg_core/detail/job.h>
 #include <vcg_core/mesh/vcglib_view.h>
 
 #include <support/mesh_types.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <vcg_core/detail/array.h>
+#include "array.h"
 
 #include <cstdint>
 #include <limits>

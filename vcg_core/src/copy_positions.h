@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vcg_core/detail/job.h>
-#include <vcg_core/detail/mesh_arrays.h>
+#include "job.h"
+#include "mesh_arrays.h"
 
 namespace vcg_core::detail {
 

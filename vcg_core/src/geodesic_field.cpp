@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include <vcg_core/detail/job.h>
 #include <vcg_core/errors.h>
 
 #include "geodesic_march.h"
+#include "job.h"
 #include "triangle_frames.h"
 
 namespace vcg_core::detail {

@@ -6,8 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <vcg_core/detail/mesh_arrays.h>
-
+#include "mesh_arrays.h"
 #include "virtual_start.h"
 
 namespace vcg_core::detail {

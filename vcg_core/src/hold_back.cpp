@@ -3,9 +3,8 @@
 
 #include <cmath>
 
-#include <vcg_core/detail/job.h>
-
 #include "filters/guided/displacement_limit.h"
+#include "job.h"
 #include "power_of_two.h"
 
 namespace vcg_core::detail {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <vcg_core/detail/mesh_arrays.h>
+#include "mesh_arrays.h"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
-#include <vcg_core/detail/job.h>
 #include <vcg_core/errors.h>
 
+#include "job.h"
 #include "mesh/creases.h"
 #include "mesh/weld.h"
 #include "mesh_topology.h"

@@ -5,10 +5,10 @@
 
 #include <Eigen/Geometry>
 
-#include <vcg_core/detail/job.h>
 #include <vcg_core/errors.h>
 
 #include "face_area.h"
+#include "job.h"
 
 namespace vcg_core::detail {
 

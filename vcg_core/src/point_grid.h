@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include <vcg_core/detail/mesh_arrays.h>
+#include "mesh_arrays.h"
 
 namespace vcg_core::detail {
 

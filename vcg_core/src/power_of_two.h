@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <vcg_core/detail/mesh_arrays.h>
+#include "mesh_arrays.h"
 
 namespace vcg_core::detail {
 

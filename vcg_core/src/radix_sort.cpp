@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <numeric>
 
-#include <vcg_core/detail/job.h>
+#include "job.h"
 
 namespace vcg_core::detail {
 

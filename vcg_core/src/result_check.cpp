@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 
-#include <vcg_core/detail/job.h>
+#include "job.h"
 #include "power_of_two.h"
 
 #include "face_area.h"

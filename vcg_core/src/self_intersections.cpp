@@ -4,8 +4,8 @@
 
 #include <Eigen/Geometry>
 
-#include <vcg_core/detail/job.h>
 #include "count_intersections.h"
+#include "job.h"
 
 #include "face_crossing.h"
 

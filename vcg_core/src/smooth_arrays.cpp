@@ -5,12 +5,12 @@
 #include <string>
 #include <utility>
 
-#include <vcg_core/detail/job.h>
 #include <vcg_core/errors.h>
 
 #include "count_intersections.h"
 #include "filters/catalogue.h"
 #include "hold_back.h"
+#include "job.h"
 #include "mesh/near_borders.h"
 #include "result_check.h"
 #include "vertex_normals.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vcg_core/detail/mesh_arrays.h>
 #include <vcg_core/method.h>
 #include <vcg_core/smoothing_limits.h>
 #include <vcg_core/smoothing_parameters.h>
 #include <vcg_core/smoothing_report.h>
 
 #include "mesh/vertex_attributes.h"
+#include "mesh_arrays.h"
 
 namespace vcg_core::detail {
 

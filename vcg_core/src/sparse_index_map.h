@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include <vcg_core/detail/mesh_arrays.h>
+#include "mesh_arrays.h"
 
 namespace vcg_core::detail {
 

@@ -6,8 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include <vcg_core/detail/job.h>
-
+#include "job.h"
 #include "radix_sort.h"
 #include "volume.h"
 

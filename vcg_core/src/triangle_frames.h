@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vcg_core/detail/mesh_arrays.h>
-
+#include "mesh_arrays.h"
 #include "virtual_start.h"
 
 namespace vcg_core::detail {

@@ -3,10 +3,9 @@
 
 #include <Eigen/Geometry>
 
-#include <vcg_core/detail/job.h>
-
 #include "angle.h"
 #include "face_area.h"
+#include "job.h"
 
 namespace vcg_core::detail {
 

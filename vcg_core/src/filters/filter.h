@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
-#include <vcg_core/detail/mesh_arrays.h>
 #include <vcg_core/method.h>
+
+#include "mesh_arrays.h"
 
 namespace vcg_core::detail {
 

@@ -8,9 +8,8 @@
 
 #include <vcg/complex/algorithms/smooth.h>  // needs complex.h before it
 
-#include <vcg_core/detail/job.h>
-
 #include "filters/filter.h"
+#include "job.h"
 
 namespace vcg_core::detail {
 

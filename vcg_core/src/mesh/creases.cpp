@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <vcg_core/detail/job.h>
+#include "job.h"
 
 namespace vcg_core::detail {
 

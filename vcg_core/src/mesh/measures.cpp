@@ -4,13 +4,12 @@
 #include <cmath>
 #include <cstdint>
 
-#include <vcg_core/detail/job.h>
-
 #include "count_intersections.h"
 #include "filters/guided/correlated_noise.h"
 #include "filters/guided/face_geometry.h"
 #include "filters/guided/noise_estimate.h"
 #include "geodesic_field.h"
+#include "job.h"
 #include "mesh/read_mesh.h"
 #include "vertex_normals.h"
 #include "volume.h"

@@ -7,8 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include <vcg_core/detail/job.h>
-
+#include "job.h"
 #include "point_grid.h"
 #include "volume.h"
 

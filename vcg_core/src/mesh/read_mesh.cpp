@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
-#include <vcg_core/detail/job.h>
 #include <vcg_core/errors.h>
 
+#include "job.h"
 #include "mesh/rows.h"
 #include "power_of_two.h"
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vcg_core/detail/mesh_arrays.h>
 #include <vcg_core/mesh/mesh_view.h>
+
+#include "mesh_arrays.h"
 
 namespace vcg_core::detail {
 

@@ -5,8 +5,9 @@
 #include <cstdint>
 #include <cstring>
 
-#include <vcg_core/detail/mesh_arrays.h>
 #include <vcg_core/mesh/mesh_view.h>
+
+#include "mesh_arrays.h"
 
 namespace vcg_core::detail {
 

@@ -3,8 +3,7 @@
 
 #include <utility>
 
-#include <vcg_core/detail/job.h>
-
+#include "job.h"
 #include "mesh/commit_positions.h"
 #include "mesh/read_mesh.h"
 #include "mesh/vertex_attributes.h"

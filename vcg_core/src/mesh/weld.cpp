@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include <vcg_core/detail/job.h>
 #include <vcg_core/errors.h>
 
+#include "job.h"
 #include "point_grid.h"
 
 namespace vcg_core::detail {

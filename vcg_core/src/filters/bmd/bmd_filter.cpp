@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bmd_filter.h"
 
-#include <vcg_core/detail/job.h>
-
 #include "filters/weights.h"
+#include "job.h"
 #include "point_grid.h"
 
 namespace vcg_core::detail {

@@ -7,8 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include <vcg_core/detail/job.h>
-
+#include "job.h"
 #include "range_weight.h"
 #include "vertex_normals.h"
 

@@ -3,10 +3,9 @@
 
 #include <cstdint>
 
-#include <vcg_core/detail/mesh_arrays.h>
-
 #include "guided_settings.h"
 #include "mesh/vertex_attributes.h"
+#include "mesh_arrays.h"
 
 namespace vcg_core::detail {
 

@@ -3,11 +3,10 @@
 
 #include <cstdint>
 
-#include <vcg_core/detail/mesh_arrays.h>
-
 #include "face_geometry.h"
 #include "face_neighborhoods.h"
 #include "guided_settings.h"
+#include "mesh_arrays.h"
 #include "noise_estimate.h"
 #include "ring_means.h"
 #include "unit_normals.h"

@@ -5,9 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include <vcg_core/detail/job.h>
-
 #include "guide_normals.h"
+#include "job.h"
 #include "normal_filter.h"
 #include "vertex_update.h"
 

@@ -5,9 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include <vcg_core/detail/job.h>
-
 #include "filter_run.h"
+#include "job.h"
 #include "median.h"
 #include "ring_heights.h"
 #include "vertex_normals.h"

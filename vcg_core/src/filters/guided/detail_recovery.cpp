@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <vcg_core/detail/job.h>
-
 #include "face_geometry.h"
+#include "job.h"
 #include "mean_normals.h"
 #include "median.h"
 

@@ -3,9 +3,8 @@
 
 #include <cstdint>
 
-#include <vcg_core/detail/mesh_arrays.h>
-
 #include "guided_settings.h"
+#include "mesh_arrays.h"
 #include "ring_means.h"
 
 namespace vcg_core::detail {

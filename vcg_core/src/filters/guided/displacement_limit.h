@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <vcg_core/detail/mesh_arrays.h>
+#include "mesh_arrays.h"
 
 namespace vcg_core::detail {
 

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <vcg_core/detail/job.h>
-
+#include "job.h"
 #include "mesh/creases.h"
 #include "sparse_index_map.h"
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_run.h"
-
-#include <vcg_core/detail/job.h>
-
 #include "blend/blend.h"
 #include "detail_recovery.h"
+#include "job.h"
 #include "normal_filter.h"
 #include "vertex_update.h"
 

@@ -6,8 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <vcg_core/detail/job.h>
-
+#include "job.h"
 #include "median.h"
 #include "range_weight.h"
 #include "sparse_index_map.h"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vcg_core/detail/mesh_arrays.h>
-
 #include "face_geometry.h"
 #include "face_neighborhoods.h"
 #include "guided_settings.h"
+#include "mesh_arrays.h"
 
 namespace vcg_core::detail {
 

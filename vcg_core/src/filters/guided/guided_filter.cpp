@@ -7,12 +7,11 @@
 #include <string>
 #include <utility>
 
-#include <vcg_core/detail/job.h>
-
 #include "attribute_smoothing.h"
 #include "correlated_noise.h"
 #include "displacement_limit.h"
 #include "filter_run.h"
+#include "job.h"
 
 namespace vcg_core::detail {
 

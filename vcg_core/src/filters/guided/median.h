@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vcg_core/detail/array.h>
+#include "array.h"
 
 namespace vcg_core::detail {
 

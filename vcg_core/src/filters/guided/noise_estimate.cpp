@@ -6,8 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include <vcg_core/detail/job.h>
-
+#include "job.h"
 #include "ring_heights.h"
 #include "voxel_stairs.h"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vcg_core/detail/mesh_arrays.h>
-
 #include "face_geometry.h"
+#include "mesh_arrays.h"
 #include "ring_means.h"
 
 namespace vcg_core::detail {

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include <vcg_core/detail/job.h>
-
+#include "job.h"
 #include "range_weight.h"
 
 namespace vcg_core::detail {

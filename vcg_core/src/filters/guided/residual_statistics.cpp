@@ -6,7 +6,7 @@
 #include <random>
 #include <utility>
 
-#include <vcg_core/detail/job.h>
+#include "job.h"
 
 namespace vcg_core::detail {
 

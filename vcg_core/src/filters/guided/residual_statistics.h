@@ -4,8 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <vcg_core/detail/mesh_arrays.h>
-
+#include "mesh_arrays.h"
 #include "ring_means.h"
 
 namespace vcg_core::detail {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ring_heights.h"
-
-#include <vcg_core/detail/job.h>
+#include "job.h"
 
 namespace vcg_core::detail {
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <utility>
 
-#include <vcg_core/detail/job.h>
-#include <vcg_core/detail/mesh_arrays.h>
+#include "job.h"
+#include "mesh_arrays.h"
 
 namespace vcg_core::detail {
 

@@ -5,9 +5,8 @@
 #include <cstdint>
 #include <optional>
 
-#include <vcg_core/detail/mesh_arrays.h>
-
 #include "face_geometry.h"
+#include "mesh_arrays.h"
 #include "ring_means.h"
 
 namespace vcg_core::detail {

@@ -3,9 +3,8 @@
 
 #include <memory>
 
-#include <vcg_core/detail/job.h>
-
 #include "filters/step_filter.h"
+#include "job.h"
 #include "vertex_neighbors.h"
 
 namespace vcg_core::detail {

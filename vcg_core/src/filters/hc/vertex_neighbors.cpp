@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <vcg_core/detail/job.h>
+#include "job.h"
 
 namespace vcg_core::detail {
 

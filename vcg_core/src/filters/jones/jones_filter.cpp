@@ -6,8 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include <vcg_core/detail/job.h>
-
+#include "job.h"
 #include "point_grid.h"
 
 namespace vcg_core::detail {

@@ -3,10 +3,9 @@
 
 #include <memory>
 
-#include <vcg_core/detail/job.h>
-
 #include "filters/weights.h"
 #include "geodesic_march.h"
+#include "job.h"
 #include "lanes/lane_filter.h"
 #include "triangle_frames.h"
 

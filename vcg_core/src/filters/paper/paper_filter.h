@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
-#include <vcg_core/detail/mesh_arrays.h>
 #include <vcg_core/filters/paper_parameters.h>
 
 #include "filters/filter.h"
+#include "mesh_arrays.h"
 
 namespace vcg_core::detail {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include <vcg_core/detail/job.h>
+#include "job.h"
 
 namespace vcg_core::detail {
 

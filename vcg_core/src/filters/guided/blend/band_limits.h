@@ -3,9 +3,8 @@
 
 #include <vector>
 
-#include <vcg_core/detail/mesh_arrays.h>
-
 #include "../ring_means.h"
+#include "mesh_arrays.h"
 
 namespace vcg_core::detail {
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "blend.h"
 
-#include <vcg_core/detail/job.h>
-
 #include "blend_network.h"
 #include "blend_weights.h"
+#include "job.h"
 
 namespace vcg_core::detail {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <vcg_core/detail/job.h>
+#include "job.h"
 
 namespace vcg_core::detail {
 

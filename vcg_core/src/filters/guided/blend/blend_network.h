@@ -5,10 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include <vcg_core/detail/mesh_arrays.h>
-
 #include "candidates.h"
 #include "layer_kernels.h"
+#include "mesh_arrays.h"
 
 namespace vcg_core::detail {
 

@@ -6,13 +6,12 @@
 #include <cmath>
 #include <utility>
 
-#include <vcg_core/detail/job.h>
-
 #include "../mean_normals.h"
 #include "../median.h"
 #include "../normal_filter.h"
 #include "../vertex_update.h"
 #include "band_limits.h"
+#include "job.h"
 
 namespace vcg_core::detail {
 

@@ -5,9 +5,8 @@
 
 #include <Eigen/Core>
 
-#include <vcg_core/detail/mesh_arrays.h>
-
 #include "../coarse_result.h"
+#include "mesh_arrays.h"
 
 namespace vcg_core::detail {
 

@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <atomic>
 
-#include <vcg_core/detail/job.h>
-
 #include "copy_positions.h"
 #include "filters/paper/paper_filter.h"
+#include "job.h"
 #include "lane_kernels.h"
 #include "lane_parameters.h"
 #include "patch_builder.h"

@@ -5,8 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include <vcg_core/detail/mesh_arrays.h>
-
+#include "mesh_arrays.h"
 #include "patch.h"
 
 namespace vcg_core::detail {

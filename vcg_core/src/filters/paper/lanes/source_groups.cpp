@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include <vcg_core/detail/job.h>
+#include "job.h"
 
 namespace vcg_core::detail {
 

@@ -10,8 +10,9 @@
 
 #include <Eigen/Core>
 
-#include <vcg_core/detail/array.h>
 #include <vcg_core/mesh/mesh_view.h>
+
+#include "array.h"
 
 namespace vcg_core::detail {
 
