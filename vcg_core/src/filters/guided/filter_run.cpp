@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_run.h"
+
 #include "blend/blend.h"
 #include "detail_recovery.h"
 #include "job.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ring_heights.h"
+
 #include "job.h"
 
 namespace vcg_core::detail {
