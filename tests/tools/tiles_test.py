@@ -304,6 +304,63 @@ class Mishaps(Tiles):
         self.run_tool("tiles", "run", "another", "--all")
 
 
+class FullDisk(Tiles):
+    """On small file systems, in a mount namespace, so that nothing is left of them whatever happens."""
+
+    FILL = "cat /dev/zero >small/filler 2>/dev/null"
+
+    def setUp(self):
+        super().setUp()
+        self.namespace = ["unshare", "--mount", "--map-root-user"] if os.geteuid() != 0 else ["unshare", "--mount"]
+        if subprocess.run([*self.namespace, "mount", "-t", "tmpfs", "none", self.folder], check=False,
+                          capture_output=True).returncode != 0:
+            self.skipTest("needs the right to mount a file system of its own")
+        os.mkdir(self.path("small"))
+        self.noisy("cad_part", "12000")
+
+    def run_script(self, size, *lines):
+        """Lines of shell, in which `tool` is the program and small/ a file system of that size; what they print."""
+        script = "\n".join([f"mount -t tmpfs -o size={size} none small", 'tool() { "$PROGRAM" "$@" --quiet; }', *lines])
+        return subprocess.run([*self.namespace, "sh", "-c", script], cwd=self.folder, capture_output=True, text=True,
+                              timeout=60, env={**os.environ, "PROGRAM": PROGRAM})
+
+    def test_is_found_before_work_starts(self):
+        done = self.run_script("500k", "tool tiles plan noisy.ply small/plan; echo $?; ls -A small")
+        self.assertEqual(done.stdout, "1\n")
+        self.assertRegex(done.stderr, "^anisosmooth: small/plan: needs .* of disk space, and .* are free\n$")
+
+    def test_goes_on_when_there_is_room_again(self):
+        self.plan("noisy.ply", "plan", "1500")
+        done = self.run_script(
+            "4m", "cp -r plan small/plan", "tool tiles run small/plan --tile 0", self.FILL,
+            "tool tiles run small/plan --tile 1; echo $?; ls -A small/plan | grep -v bucket_",
+            "rm small/filler", "tool tiles run small/plan --all", self.FILL,
+            "tool tiles finish small/plan small/out.ply; echo $?; ls -A small",
+            "rm small/filler", "tool tiles finish small/plan out.ply; echo $?")
+        self.assertEqual(done.stdout, "1\nplan.json\nresult_0\n1\nfiller\nplan\n0\n")
+        run, finish = done.stderr.splitlines()
+        self.assertIn("result_1: could not be written to its end: No space left on device", run)
+        self.assertRegex(finish, "small/out.ply: needs .* of disk space, and .* are free")
+        self.in_pieces("noisy.ply", "undisturbed.ply", "1500")
+        self.assertEqual(self.bytes_of("out.ply"), self.bytes_of("undisturbed.ply"))
+
+
+class InOneCommand(Tiles):
+    def test_interrupted_leaves_nothing(self):
+        self.noisy("torus", "400000")
+        before = set(os.listdir(self.folder))
+        for wanted in ("bucket_", "result_"):  # while it plans, and while it smooths
+            process = subprocess.Popen([PROGRAM, "smooth", "noisy.ply", "out.ply", "--memory", "200M", "--quiet"],
+                                       cwd=self.folder, stderr=subprocess.PIPE)
+            while not any(name.startswith(wanted) for _, _, names in os.walk(self.folder) for name in names):
+                self.assertIsNone(process.poll())
+                time.sleep(0.001)
+            process.send_signal(signal.SIGINT)
+            words = process.communicate(timeout=60)[1]
+            self.assertEqual(process.returncode, 130, words)
+            self.assertEqual(set(os.listdir(self.folder)), before)
+
+
 class Refusals(Tiles):
     def test_what_cannot_be_cut(self):
         self.noisy("cube", "1000")
