@@ -92,7 +92,8 @@ class PrivateSlurm:
                               stdout=subprocess.PIPE, text=True).stdout.strip()
 
     def succeeds(self, *command):
-        return subprocess.run(command, env=self.environment, check=False, timeout=60, capture_output=True).returncode == 0
+        done = subprocess.run(command, env=self.environment, check=False, timeout=60, capture_output=True)
+        return done.returncode == 0
 
     def _serve(self, *command):
         with open(self.folder / f"{command[0]}.output", "wb") as output:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The recipes of docs/large-meshes.md, each run by the engine that it is for on a mesh in twelve pieces, with a worker or a
-job lost in the middle: the same bits as one process gives. An engine that is not installed is skipped by name.
-ANISO_ENGINE_VERTICES sets the size of the mesh."""
+"""The recipes of docs/large-meshes.md, each run by the engine that it is for on a mesh in twelve pieces, with a worker, a
+run or a job lost in the middle: the same bits as one process gives. An engine that is not installed is skipped by
+name. ANISO_ENGINE_VERTICES sets the size of the mesh."""
 
 import contextlib
 import os
