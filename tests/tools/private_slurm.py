@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A Slurm of our own on this machine: munged, a controller and one node, with keys, ports and files in one folder."""
 
-import getpass
 import os
 import pathlib
+import pwd
 import signal
 import socket
 import subprocess
@@ -64,7 +64,7 @@ class PrivateSlurm:
         key.write_bytes(os.urandom(1024))
         key.chmod(0o400)
         (self.folder / "slurm.conf").write_text(CONFIGURATION.format(
-            name=socket.gethostname().split(".")[0], user=getpass.getuser(), folder=self.folder, jobs=self.jobs,
+            name=socket.gethostname().split(".")[0], user=pwd.getpwuid(os.geteuid()).pw_name, folder=self.folder, jobs=self.jobs,
             controller_port=free_port(), node_port=free_port()), encoding="utf-8")
         self._serve("munged", "--foreground", "--force", f"--key-file={key}", f"--socket={self.folder}/munge.socket",
                     f"--pid-file={self.folder}/munge.pid", f"--log-file={self.folder}/munge.log",

@@ -108,7 +108,7 @@ class Engines(unittest.TestCase):
             self.run_tool("tiles", "finish", str(self.work / "PLAN"), str(self.work / "smooth.ply"))
         self.assertEqual((self.work / "smooth.ply").read_bytes(), (self.folder / "alone.ply").read_bytes())
 
-    def wait_for(self, condition, seconds=300):
+    def wait_for(self, condition, seconds=120):
         """What the condition gives when it is not false any more."""
         end = time.monotonic() + seconds
         while not (found := condition()):
