@@ -99,6 +99,7 @@ class GuideGuard : public testing::TestWithParam<const char*> {
 
   Job job{no_progress, 2};
   MeshArrays mesh = test_support::arrays_of(test_support::noisy_shape(GetParam(), 1200, 0.1), job);
+  WholeMedians medians{mesh};
   FaceGeometry faces;
   Array<Index> across;
   FaceLists around;
@@ -106,7 +107,7 @@ class GuideGuard : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(GuideGuard, FadesPatchesThatSpreadMoreThanThreeTimesTheMedian) {
-  const Array<Vec3> guide = guide_normals(around, across, faces, faces.normal, GuidedSettings{}, job);
+  const Array<Vec3> guide = guide_normals(mesh, around, across, faces, faces.normal, GuidedSettings{}, medians, job);
   const std::vector<Patch> best = best_patches();
   std::vector<double> spreads;
   for (const Patch& p : best) spreads.push_back(p.spread);
@@ -132,7 +133,7 @@ TEST_P(GuideGuard, FadesPatchesThatSpreadMoreThanThreeTimesTheMedian) {
 TEST_P(GuideGuard, OffTrustsEveryBestPatch) {
   GuidedSettings settings;
   settings.guard_thin_parts = false;
-  const Array<Vec3> guide = guide_normals(around, across, faces, faces.normal, settings, job);
+  const Array<Vec3> guide = guide_normals(mesh, around, across, faces, faces.normal, settings, medians, job);
   const std::vector<Patch> best = best_patches();
   for (Index f = 0; f < mesh.face.size(); ++f) EXPECT_LT((guide[f] - best[f].mean).norm(), 1e-12) << f;
 }

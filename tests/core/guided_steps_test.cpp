@@ -52,6 +52,7 @@ class GuidedSteps : public testing::Test {
 
   Job job{no_progress, 2};
   MeshArrays mesh = arrays_of(test_support::noisy_shape("cube", 400), job);
+  WholeMedians medians{mesh};
   FaceGeometry faces;
   Array<Index> across;
   FaceLists around;
@@ -106,7 +107,7 @@ TEST_F(GuidedSteps, FacesWithinAreTheConnectedBall) {
 
 TEST_F(GuidedSteps, FilteredNormalsAreTheWeightedMean) {
   const Array<float> weight = closeness_weights(within, faces, spacing, 1, job);
-  const Array<Vec3> guide = guide_normals(around, across, faces, faces.normal, GuidedSettings{}, job);
+  const Array<Vec3> guide = guide_normals(mesh, around, across, faces, faces.normal, GuidedSettings{}, medians, job);
   const Array<Vec3> filtered =
       in_double(filter_normals(within, weight, in_single(guide, job), in_single(faces.normal, job), 0.4, job), job);
   const Array<Vec3> mean = in_double(mean_of_neighbourhoods(within, weight, in_single(faces.normal, job), job), job);
@@ -127,7 +128,7 @@ TEST_F(GuidedSteps, FilteredNormalsAreTheWeightedMean) {
 TEST_F(GuidedSteps, GuidesAreMeansOfTheMostConsistentPatch) {
   GuidedSettings settings;
   settings.guard_thin_parts = false;
-  const Array<Vec3> guide = guide_normals(around, across, faces, faces.normal, settings, job);
+  const Array<Vec3> guide = guide_normals(mesh, around, across, faces, faces.normal, settings, medians, job);
   const auto patch = [&](Index center) {
     Vec3 sum = Vec3::Zero();
     for (const Index g : naive_around(center)) sum += faces.area[g] * faces.normal[g];
@@ -215,7 +216,8 @@ TEST(GuidedDetail, WhiteNoiseStaysOutAndShapeComesBack) {
     return std::sqrt(sum / static_cast<double>(position.size())) / e;
   };
   Array<Vec3> position = flat;
-  recover_detail(noisy, RingMeans(noisy, job), noisy.position, movable, GuidedSettings{}, position, job);
+  WholeMedians medians(noisy), with_wave_medians(noisy);
+  recover_detail(noisy, RingMeans(noisy, job), noisy.position, movable, GuidedSettings{}, medians, position, job);
   EXPECT_LT(rms(position, [](const Vec3&) { return 0.0; }), 0.03);
 
   const auto wave = [&](const Vec3& p) { return 0.5 * e * std::sin(30 * p[0]) * std::sin(30 * p[1]); };
@@ -223,7 +225,7 @@ TEST(GuidedDetail, WhiteNoiseStaysOutAndShapeComesBack) {
   for (Vec3& p : with_wave) p[2] += wave(p);
   position = flat;
   const double lost = rms(position, wave);
-  recover_detail(noisy, RingMeans(noisy, job), with_wave, movable, GuidedSettings{}, position, job);
+  recover_detail(noisy, RingMeans(noisy, job), with_wave, movable, GuidedSettings{}, with_wave_medians, position, job);
   EXPECT_LT(rms(position, wave), 0.6 * lost);
 }
 

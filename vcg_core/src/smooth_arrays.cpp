@@ -9,6 +9,7 @@
 
 #include "count_intersections.h"
 #include "filters/catalogue.h"
+#include "held_vertices.h"
 #include "hold_back.h"
 #include "job.h"
 #include "mesh/near_borders.h"
@@ -23,13 +24,10 @@ namespace {
 /// Which vertices may move; counts why the others may not.
 Array<std::uint8_t> find_movable(const MeshArrays& mesh, const SmoothingParameters& parameters, SmoothingReport& report,
                                  Job& job) {
-  const MeshTopology& topology = mesh.topology;
   Array<std::uint8_t> movable(mesh.size());
   job.serial(mesh.size(), [&](std::size_t i) {
-    const bool held = (parameters.boundary == Boundary::fixed && topology.border[i]) ||
-                      (parameters.selected_only && !mesh.is_selected(i)) ||
-                      (!mesh.weight.empty() && mesh.weight[i] == 0);
-    const bool isolated = topology.star_begin[i] == topology.star_begin[i + 1];
+    const bool held = is_held(mesh, parameters, i);
+    const bool isolated = is_isolated(mesh, i);
     if (held) report.fixed_vertices += mesh.counted(i);
     if (!held && isolated) report.skipped_vertices.isolated += mesh.counted(i);
     movable[i] = !held && !isolated;

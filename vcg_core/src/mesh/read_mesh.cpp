@@ -119,6 +119,14 @@ std::optional<WholeMesh> scaled(std::optional<WholeMesh> whole, int exponent) {
     whole->box_min[k] = scale * whole->box_min[k];
     whole->box_max[k] = scale * whole->box_max[k];
   }
+  if (!whole->guided) return whole;
+  whole->guided->noise = scale * whole->guided->noise;
+  whole->guided->testimony.opposed = scale * (scale * whole->guided->testimony.opposed);
+  if (!whole->guided->grid) return whole;
+  for (int k = 0; k < 3; ++k) {
+    whole->guided->grid->first[k] = scale * whole->guided->grid->first[k];
+    whole->guided->grid->distance[k] = scale * whole->guided->grid->distance[k];
+  }
   return whole;
 }
 

@@ -7,6 +7,8 @@
 #include <optional>
 #include <type_traits>
 
+#include <vcg_core/mesh/guided_whole.h>
+
 namespace vcg_core {
 
 enum class RealType : std::uint8_t { float32, float64 };
@@ -63,7 +65,8 @@ struct ColorRows {
 struct WholeMesh {
   double box_min[3] = {0, 0, 0};  ///< of the smallest box around all vertices of the whole
   double box_max[3] = {0, 0, 0};
-  double average_edge_length = 0;  ///< |e| of the whole; 0: not known, that of the piece is measured
+  double average_edge_length = 0;     ///< |e| of the whole; 0: not known, that of the piece is measured
+  std::optional<GuidedWhole> guided;  ///< for the guided filter; empty: that of the piece is measured
 };
 
 /// A triangle mesh in the caller's memory, whichever library it belongs to: where its numbers are, no copy of them. It

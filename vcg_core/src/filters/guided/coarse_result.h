@@ -10,6 +10,7 @@
 #include "noise_estimate.h"
 #include "ring_means.h"
 #include "unit_normals.h"
+#include "whole_medians.h"
 
 namespace vcg_core::detail {
 
@@ -20,6 +21,7 @@ struct CoarseResult {
   const Array<std::uint8_t>& movable;
   const Array<Vec3>& noisy;  ///< positions
   const NoiseEstimate& noise;
+  WholeMedians& medians;  ///< the next one is that of the residuals
   RingMeans rings;
   FaceLists around;
   FaceLists within;

@@ -12,18 +12,20 @@
 
 namespace vcg_core::detail {
 
-CoarseRounds::CoarseRounds(const PassInput& input, const GuidedSettings& settings)
-    : CoarseRounds(input, settings, NoiseEstimate{}) {
+CoarseRounds::CoarseRounds(const PassInput& input, const GuidedSettings& settings, std::vector<ValueCounts>* counts)
+    : CoarseRounds(input, settings, NoiseEstimate{}, counts) {
   estimate_ = estimate_noise(in_.mesh, rings_, in_.position, faces_, job_);
 }
 
-CoarseRounds::CoarseRounds(const PassInput& input, const GuidedSettings& settings, NoiseEstimate noise)
+CoarseRounds::CoarseRounds(const PassInput& input, const GuidedSettings& settings, NoiseEstimate noise,
+                           std::vector<ValueCounts>* counts)
     : in_(input),
       settings_(settings),
       job_(input.job),
       position_(input.position),
       rings_(input.mesh, input.job),
-      estimate_(std::move(noise)) {
+      estimate_(std::move(noise)),
+      medians_(input.mesh, counts) {
   faces_.measure(in_.mesh, position_, job_);
 }
 
@@ -45,6 +47,7 @@ CoarseResult CoarseRounds::take_result() {
           in_.movable,
           in_.position,
           estimate_,
+          medians_,
           std::move(rings_),
           std::move(around_),
           std::move(within_),
@@ -71,7 +74,8 @@ int CoarseRounds::rounds_for_noise() const {
 void CoarseRounds::filter_once() {
   const Array<float> weight = closeness_weights(within_, faces_, spacing_, settings_.closeness, job_);
   const Array<Vec3> guide =
-      settings_.guide ? guide_normals(around_, across_, faces_, faces_.normal, settings_, job_) : faces_.normal;
+      settings_.guide ? guide_normals(in_.mesh, around_, across_, faces_, faces_.normal, settings_, medians_, job_)
+                      : faces_.normal;
   const Array<Vec3> normal = in_double(filter_normals(within_, weight, in_single(guide, job_),
                                                       in_single(faces_.normal, job_), settings_.coarse_range, job_),
                                        job_);

@@ -4,6 +4,7 @@
 #include "coarse_result.h"
 #include "filters/filter.h"
 #include "noise_estimate.h"
+#include "whole_medians.h"
 
 namespace vcg_core::detail {
 
@@ -11,9 +12,11 @@ namespace vcg_core::detail {
 class CoarseRounds {
  public:
   /// Estimates the noise.
-  CoarseRounds(const PassInput& input, const GuidedSettings& settings);
+  /// @param counts  as WholeMedians has them
+  CoarseRounds(const PassInput& input, const GuidedSettings& settings, std::vector<ValueCounts>* counts = nullptr);
   /// With noise that is known.
-  CoarseRounds(const PassInput& input, const GuidedSettings& settings, NoiseEstimate noise);
+  CoarseRounds(const PassInput& input, const GuidedSettings& settings, NoiseEstimate noise,
+               std::vector<ValueCounts>* counts = nullptr);
 
   const NoiseEstimate& estimate() const { return estimate_; }
   /// Standard deviation over the whole mesh that is to be removed, in units of the positions.
@@ -22,8 +25,11 @@ class CoarseRounds {
   /// Finds the neighbourhoods and filters normals and positions. To be called once, with noise() above 0.
   void run();
 
-  /// What run() has left; to be called once. It refers to the estimate and to the input.
+  /// What run() has left; to be called once. It refers to the estimate, the medians and the input.
   CoarseResult take_result();
+
+  /// Of the whole mesh, those that the rounds have gone by; others follow.
+  WholeMedians& medians() { return medians_; }
 
  private:
   void find_neighbourhoods();
@@ -39,6 +45,7 @@ class CoarseRounds {
   Array<UnitNormal> noisy_normal_;
   Array<double> noisy_area_;
   NoiseEstimate estimate_;
+  WholeMedians medians_;
   Array<Index> across_;
   FaceLists around_;
   FaceLists within_;

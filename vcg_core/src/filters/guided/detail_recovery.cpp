@@ -7,7 +7,6 @@
 #include "face_geometry.h"
 #include "job.h"
 #include "mean_normals.h"
-#include "median.h"
 
 namespace vcg_core::detail {
 
@@ -28,10 +27,10 @@ constexpr int energy_rings = 16;
 constexpr double noise_above_ring = 0.926;
 constexpr double median_of_normal = 0.6745;
 
-double noise_of(const Array<double>& residual, const Array<double>& one_ring, Job& job) {
+double noise_of(const Array<double>& residual, const Array<double>& one_ring, WholeMedians& medians, Job& job) {
   Array<double> above(residual.size());
   job.serial(above.size(), [&](std::size_t v) { above[v] = std::abs(residual[v] - one_ring[v]); });
-  return median(std::move(above)) / (median_of_normal * noise_above_ring);
+  return medians.of_vertices(above) / (median_of_normal * noise_above_ring);
 }
 
 /// The part of the low-passed residual that is shape, by its energy in units of white noise's.
@@ -44,8 +43,8 @@ double share_of_shape(double energy, const GuidedSettings& settings) {
 }  // namespace
 
 void recover_detail(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& noisy,
-                    const Array<std::uint8_t>& movable, const GuidedSettings& settings, Array<Vec3>& position,
-                    Job& job) {
+                    const Array<std::uint8_t>& movable, const GuidedSettings& settings, WholeMedians& medians,
+                    Array<Vec3>& position, Job& job) {
   double noise = -1;
   FaceGeometry faces;
   for (const int scale : scales) {
@@ -53,7 +52,7 @@ void recover_detail(const MeshArrays& mesh, const RingMeans& rings, const Array<
     const Array<Vec3> normal = mean_normals(mesh, faces.normal, job);
     Array<double> residual(mesh.size());
     job.serial(residual.size(), [&](std::size_t v) { residual[v] = (noisy[v] - position[v]).dot(normal[v]); });
-    if (noise < 0) noise = settings.noise_scale * noise_of(residual, low_pass(rings, residual, 1, job), job);
+    if (noise < 0) noise = settings.noise_scale * noise_of(residual, low_pass(rings, residual, 1, job), medians, job);
     const Array<double> low = low_pass(rings, residual, scale, job);
     const double expected = noise * noise * variance_of_one_ring / scale;
     Array<double> energy(low.size());

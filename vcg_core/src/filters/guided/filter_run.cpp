@@ -35,7 +35,8 @@ FilterRun run_filter(const PassInput& input, const GuidedSettings& settings, Coa
   update_positions(input.mesh, run.normal, input.movable, settings.final_updates, settings, run.position, job);
   job.report(0.95);
   if (settings.recover_detail && !settings.blend)
-    recover_detail(input.mesh, result.rings, input.position, input.movable, settings, run.position, job);
+    recover_detail(input.mesh, result.rings, input.position, input.movable, settings, coarse.medians(), run.position,
+                   job);
   return run;
 }
 

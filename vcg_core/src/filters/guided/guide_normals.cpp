@@ -3,11 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include "job.h"
-#include "median.h"
 #include "range_weight.h"
 #include "sparse_index_map.h"
 
@@ -16,6 +13,9 @@ namespace vcg_core::detail {
 namespace {
 
 constexpr std::size_t grain = 1024;
+
+/// The median of jumps is that over so many corners.
+constexpr std::size_t usual_corners = std::size_t(1) << 18;
 
 /// The faces around one face, taken together.
 struct Patch {
@@ -96,16 +96,16 @@ Array<double> find_jumps(const Array<Vec3>& normal, const Array<Index>& across, 
   return jump;
 }
 
-/// Median length of the difference of adjoining unit normals, of at most 2^18 edges.
-double median_jump(const Array<double>& jump, const Array<Index>& across) {
-  constexpr std::size_t most_corners = std::size_t(1) << 18;
+/// Lengths of the difference of adjoining unit normals that count, of some edges.
+Array<double> some_jumps(const MeshArrays& mesh, const Array<double>& jump, const Array<Index>& across,
+                         std::size_t most_corners) {
   Array<double> difference;
   const std::size_t stride = std::max<std::size_t>(1, across.size() / most_corners);
   for (std::size_t corner = 0; corner < across.size(); corner += stride) {
     const Index g = across[corner];
-    if (g != no_face && g > corner / 3) difference.push_back(jump[corner]);
+    if (g != no_face && g > corner / 3 && mesh.counts_face(corner / 3)) difference.push_back(jump[corner]);
   }
-  return median(std::move(difference));
+  return difference;
 }
 
 Vec3 bilateral_mean(const FaceLists& around, Index f, const Array<double>& area, const Array<Vec3>& normal,
@@ -119,8 +119,9 @@ Vec3 bilateral_mean(const FaceLists& around, Index f, const Array<double>& area,
 
 }  // namespace
 
-Array<Vec3> guide_normals(const FaceLists& around, const Array<Index>& across, const FaceGeometry& faces,
-                          const Array<Vec3>& normal, const GuidedSettings& settings, Job& job) {
+Array<Vec3> guide_normals(const MeshArrays& mesh, const FaceLists& around, const Array<Index>& across,
+                          const FaceGeometry& faces, const Array<Vec3>& normal, const GuidedSettings& settings,
+                          WholeMedians& medians, Job& job) {
   const std::size_t count = normal.size();
   const Array<double> jump = find_jumps(normal, across, job);
   Array<Patch> patch(count);
@@ -146,10 +147,10 @@ Array<Vec3> guide_normals(const FaceLists& around, const Array<Index>& across, c
   });
   if (!settings.guard_thin_parts) return guide;
 
-  const double trusted = settings.patch_spread * median(spread) + settings.patch_spread_floor;
+  const double trusted = settings.patch_spread * medians.of_faces(spread) + settings.patch_spread_floor;
   const double refused = settings.patch_fade * trusted;
-  const RangeWeight<double> weight(
-      std::max(settings.ring_range_floor, settings.ring_range * median_jump(jump, across)));
+  const double median_jump = medians.of_all(some_jumps(mesh, jump, across, medians.most_values(usual_corners)));
+  const RangeWeight<double> weight(std::max(settings.ring_range_floor, settings.ring_range * median_jump));
   job.parallel(count, grain, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {

@@ -5,6 +5,7 @@
 #include "face_neighborhoods.h"
 #include "guided_settings.h"
 #include "mesh_arrays.h"
+#include "whole_medians.h"
 
 namespace vcg_core::detail {
 
@@ -14,8 +15,10 @@ namespace vcg_core::detail {
 /// the face (each the faces around one face), the one with the most consistent normals lends its mean normal. New here:
 /// the patch is trusted only if its normals spread no wider than those of most other best patches. Where all patches
 /// reach over an edge, as on parts one edge length thick, the guide is a bilateral mean over the faces around.
-/// @param normal  filtered so far
-Array<Vec3> guide_normals(const FaceLists& around, const Array<Index>& across, const FaceGeometry& faces,
-                          const Array<Vec3>& normal, const GuidedSettings& settings, Job& job);
+/// @param normal   filtered so far
+/// @param medians  its next two are those of the spread and of the jumps
+Array<Vec3> guide_normals(const MeshArrays& mesh, const FaceLists& around, const Array<Index>& across,
+                          const FaceGeometry& faces, const Array<Vec3>& normal, const GuidedSettings& settings,
+                          WholeMedians& medians, Job& job);
 
 }  // namespace vcg_core::detail

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "attribute_smoothing.h"
+#include "blend/candidates.h"
 #include "correlated_noise.h"
 #include "displacement_limit.h"
 #include "filter_run.h"
@@ -56,7 +57,8 @@ PassOutput hold_to_limits(const PassInput& input, const GuidedSettings& settings
 PassOutput guided_pass(const PassInput& input, const GuidedSettings& settings) {
   std::optional<CoarseRounds> coarse(std::in_place, input, settings);
   std::optional<StagePart> part;
-  if (!(coarse->noise() > 0)) {
+  const bool is_told = input.mesh.whole && input.mesh.whole->guided;
+  if (!(coarse->noise() > 0) && !is_told) {
     coarse.reset();
     part.emplace(input.job, 0.0, 0.5);
     NoiseEstimate correlated = find_correlated_noise(input);
@@ -67,6 +69,19 @@ PassOutput guided_pass(const PassInput& input, const GuidedSettings& settings) {
   if (!(coarse->noise() > 0)) return unchanged(input);
   FilterRun run = run_filter(input, settings, *coarse);
   return hold_to_limits(input, settings, coarse->estimate(), run.normal, std::move(run.position));
+}
+
+std::vector<double> medians_of_guided_pass(const PassInput& input, const GuidedSettings& settings,
+                                           std::vector<ValueCounts>* counts) {
+  CoarseRounds coarse(input, settings, counts);
+  if (!(coarse.noise() > 0)) return {};
+  if (settings.blend) {
+    coarse.run();
+    median_residual(coarse.take_result(), input.job);
+  } else {
+    run_filter(input, settings, coarse);
+  }
+  return coarse.medians().known();
 }
 
 namespace {

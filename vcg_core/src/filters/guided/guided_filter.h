@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "filters/filter.h"
 #include "guided_settings.h"
+#include "whole_medians.h"
 
 namespace vcg_core::detail {
 
@@ -13,5 +16,10 @@ Filter guided_filter();
 
 /// Its one pass. By itself for the ablation, which changes the settings.
 PassOutput guided_pass(const PassInput& input, const GuidedSettings& settings);
+
+/// The medians over the mesh that such a pass goes by, as GuidedWhole has them. No more is done than they need.
+/// @param counts  as WholeMedians has them
+std::vector<double> medians_of_guided_pass(const PassInput& input, const GuidedSettings& settings,
+                                           std::vector<ValueCounts>* counts);
 
 }  // namespace vcg_core::detail

@@ -142,15 +142,6 @@ double root_mean_square(const Array<double>& value, Job& job) {
   return std::sqrt(sum / static_cast<double>(value.size()));
 }
 
-NoiseEstimate noise_of_stairs(const MeshArrays& mesh, const RingMeans& rings, const VoxelStairs& stairs,
-                              const FaceGeometry& faces, Job& job) {
-  NoiseEstimate noise;
-  noise.deviation = deviations_by_stairs(mesh, rings, stairs, faces, job);
-  noise.mean = root_mean_square(noise.deviation, job);
-  noise.evidence = 1;
-  return noise;
-}
-
 /// By vertex.
 Array<Testimony> find_testimony(const Array<Evidence>& own, const Array<Evidence>& around, Job& job) {
   Array<Testimony> testimony(own.size());
@@ -161,33 +152,75 @@ Array<Testimony> find_testimony(const Array<Evidence>& own, const Array<Evidence
   return testimony;
 }
 
+/// Whether the mesh is a piece that knows of the whole.
+bool is_told(const MeshArrays& mesh) { return mesh.whole && mesh.whole->guided; }
+
+GuidedWhole::Testimony named(const Testimony& t) {
+  return {t[trusted_opposed], t[trusted_expected], t[trusted], t[asked]};
+}
+
 }  // namespace
+
+NoiseByWhole::NoiseByWhole(const GuidedWhole::Testimony& t) {
+  const Testimony all(t.opposed, t.expected, t.trusted, t.asked);
+  share_ = all[asked] > 0 ? all[trusted] / all[asked] : 0;
+  believed_ = ramp(share_, believed_from, believed_full) * std::min(1.0, all[trusted] / full_count);
+  of_all_ = believed_ * confidence_in(all) * variance_of(all);
+}
+
+double NoiseByWhole::variance(double by_vertex, double near_by, double confidence) const {
+  const double share = believed_ * confidence;
+  return std::min(by_vertex, share * near_by + (1 - share) * of_all_);
+}
+
+NoiseSeen look_for_noise(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position,
+                         const FaceGeometry& faces, Job& job) {
+  NoiseSeen seen;
+  if (const auto stairs = find_voxel_stairs(mesh, faces, job)) {
+    seen.of_stairs = deviations_by_stairs(mesh, rings, *stairs, faces, job);
+    return seen;
+  }
+  Array<Testimony> testimony;
+  seen.variance.resize(mesh.size());
+  {
+    const Array<Evidence> own = find_evidence(mesh, rings, ring_heights(mesh, rings, position, faces, job), job);
+    const Array<Evidence> around = low_pass(rings, own, evidence_rings, job);
+    testimony = find_testimony(own, around, job);
+    job.serial(mesh.size(), [&](std::size_t v) { seen.variance[v] = variance_of(around[v]); });
+  }
+  Testimony all = Testimony::Zero();
+  job.serial(mesh.size(), [&](std::size_t v) {
+    if (mesh.counted(v) > 0) all += testimony[v];
+  });
+  seen.testimony = named(all);
+  testimony = low_pass(rings, std::move(testimony), testimony_rings, job);
+  seen.near_by.resize(mesh.size());
+  seen.confidence.resize(mesh.size());
+  job.serial(mesh.size(), [&](std::size_t v) {
+    seen.near_by[v] = variance_of(testimony[v]);
+    seen.confidence[v] = confidence_in(testimony[v]);
+  });
+  return seen;
+}
 
 NoiseEstimate estimate_noise(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position,
                              const FaceGeometry& faces, Job& job) {
-  if (const auto stairs = find_voxel_stairs(mesh, faces, job)) return noise_of_stairs(mesh, rings, *stairs, faces, job);
-  const Array<Evidence> own = find_evidence(mesh, rings, ring_heights(mesh, rings, position, faces, job), job);
-  const Array<Evidence> around = low_pass(rings, own, evidence_rings, job);
-  Array<Testimony> testimony = find_testimony(own, around, job);
-  Testimony all = Testimony::Zero();
-  job.serial(testimony.size(), [&](std::size_t v) { all += testimony[v]; });
-  const double share = all[asked] > 0 ? all[trusted] / all[asked] : 0;
-  const double believed = ramp(share, believed_from, believed_full) * std::min(1.0, all[trusted] / full_count);
-  const double of_all = believed * confidence_in(all) * variance_of(all);
-  testimony = low_pass(rings, std::move(testimony), testimony_rings, job);
-
+  NoiseSeen seen = look_for_noise(mesh, rings, position, faces, job);
   NoiseEstimate noise;
-  noise.evidence = share;
-  noise.deviation.resize(mesh.size());
-  job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
-    while (chunks.next())
-      for (std::size_t v = chunks.begin(); v < chunks.end(); ++v) {
-        const double near_by = believed * confidence_in(testimony[v]);
-        const double variance = near_by * variance_of(testimony[v]) + (1 - near_by) * of_all;
-        noise.deviation[v] = std::sqrt(std::min(variance_of(around[v]), variance));
-      }
-  });
-  noise.mean = root_mean_square(noise.deviation, job);
+  if (!seen.of_stairs.empty()) {
+    noise.deviation = std::move(seen.of_stairs);
+    noise.evidence = 1;
+  } else {
+    const NoiseByWhole whole(is_told(mesh) ? mesh.whole->guided->testimony : seen.testimony);
+    noise.evidence = whole.evidence();
+    noise.deviation.resize(mesh.size());
+    job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
+      while (chunks.next())
+        for (std::size_t v = chunks.begin(); v < chunks.end(); ++v)
+          noise.deviation[v] = std::sqrt(whole.variance(seen.variance[v], seen.near_by[v], seen.confidence[v]));
+    });
+  }
+  noise.mean = is_told(mesh) ? mesh.whole->guided->noise : root_mean_square(noise.deviation, job);
   return noise;
 }
 

@@ -30,7 +30,33 @@ struct NoiseEstimate {
 ///
 /// Noise that varies from vertex to vertex is seen. Steps of voxels alternate as noise does and are seen as such; noise
 /// that is correlated over several edges is taken for shape: see find_correlated_noise(). New here.
+///
+/// In a piece of a larger mesh what is told of the whole takes the place of the sums.
 NoiseEstimate estimate_noise(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position,
                              const FaceGeometry& faces, Job& job);
+
+/// What is seen around each vertex, which counts as far as the whole mesh bears it out.
+struct NoiseSeen {
+  Array<double> of_stairs;           ///< standard deviations; empty if there are no stairs, else all that there is
+  GuidedWhole::Testimony testimony;  ///< over the vertices that count
+  Array<double> variance;            ///< by what is seen around; by vertex, as are the next two
+  Array<double> near_by;             ///< variance by the trusted vertices around
+  Array<double> confidence;          ///< whether these are enough: from 0 to 1
+};
+
+NoiseSeen look_for_noise(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position,
+                         const FaceGeometry& faces, Job& job);
+
+/// What follows for a vertex from what is seen in the whole mesh.
+class NoiseByWhole {
+ public:
+  explicit NoiseByWhole(const GuidedWhole::Testimony& testimony);
+
+  double evidence() const { return share_; }  ///< as NoiseEstimate has it
+  double variance(double by_vertex, double near_by, double confidence) const;
+
+ private:
+  double share_, believed_, of_all_;
+};
 
 }  // namespace vcg_core::detail

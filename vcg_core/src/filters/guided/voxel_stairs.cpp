@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -15,11 +16,8 @@ namespace vcg_core::detail {
 
 namespace {
 
-/// Faces whose normals are looked at, and vertices whose coordinates are, before all are.
+/// Faces whose normals are looked at, before all of the sample are.
 constexpr std::size_t sampled_faces = 1024;
-constexpr std::size_t sampled_vertices = 4096;
-/// Faces whose normals are averaged for the axes.
-constexpr std::size_t averaged_faces = 65536;
 /// Most pairs of orthogonal directions that are tried. Cylinders and bodies of revolution have many.
 constexpr int most_pairs = 64;
 /// Marching cubes at one level make some forty directions of triangles, opposite ones counted once.
@@ -51,11 +49,11 @@ struct Direction {
 };
 
 /// The directions of the normals of some faces, the most frequent first; none if there are too many.
-std::vector<Direction> find_directions(const FaceGeometry& faces) {
+std::vector<Direction> find_directions(const std::vector<Vec3>& normals) {
   std::vector<Direction> directions;
-  const std::size_t stride = std::max<std::size_t>(1, faces.normal.size() / sampled_faces);
-  for (std::size_t f = 0; f < faces.normal.size(); f += stride) {
-    const Vec3& normal = faces.normal[f];
+  const std::size_t stride = std::max<std::size_t>(1, normals.size() / sampled_faces);
+  for (std::size_t f = 0; f < normals.size(); f += stride) {
+    const Vec3& normal = normals[f];
     if (normal.squaredNorm() == 0) continue;
     const auto same = [&](const Direction& d) { return d.normal.cross(normal).norm() < same_direction; };
     const auto found = std::find_if(directions.begin(), directions.end(), same);
@@ -76,16 +74,15 @@ using Axes = std::array<Vec3, 3>;
 /// Axes from two of them, by the mean of the normals that are nearly along each: a face's own normal is as exact as the
 /// coordinates are fine, and the axes of a grid of hundreds of voxels have to be more exact. The third is the cross
 /// product, for no face may be along it.
-Axes refined(const Vec3& first, const Vec3& second, const FaceGeometry& faces) {
+Axes refined(const Vec3& first, const Vec3& second, const std::vector<Vec3>& normals) {
   const Axes axes = {first, second, first.cross(second)};
   Axes sum;
   sum.fill(Vec3::Zero());
-  const std::size_t stride = std::max<std::size_t>(1, faces.normal.size() / averaged_faces);
-  for (std::size_t f = 0; f < faces.normal.size(); f += stride)
+  for (const Vec3& normal : normals)
     for (std::size_t k = 0; k < 2; ++k) {
-      const double cosine = faces.normal[f].dot(axes[k]);
-      if (std::abs(cosine) < 0.5 || !(faces.normal[f].cross(axes[k]).norm() < same_direction)) continue;
-      sum[k] += cosine > 0 ? faces.normal[f] : Vec3(-faces.normal[f]);
+      const double cosine = normal.dot(axes[k]);
+      if (std::abs(cosine) < 0.5 || !(normal.cross(axes[k]).norm() < same_direction)) continue;
+      sum[k] += cosine > 0 ? normal : Vec3(-normal);
     }
   for (std::size_t k = 0; k < 2; ++k) sum[k].normalize();
   sum[2] = sum[0].cross(sum[1]).normalized();
@@ -102,21 +99,13 @@ Axes in_order(Axes axes) {
   return axes;
 }
 
-/// Equally spaced values.
-struct Levels {
-  double first = 0;
-  double distance = 0;  ///< 0: the values are not equally spaced
-
-  /// Index of the level at a value; the nearest integer is that of the level, if there is one.
-  double index_of(double value) const { return (value - first) / distance; }
-};
-
-Levels find_levels(const MeshArrays& mesh, const Vec3& axis) {
+/// Finds equally spaced values along an axis of a grid: sets its `first` and `distance`. Whether there are any.
+bool find_levels(const std::vector<Vec3>& positions, double edge_length, int k, VoxelGrid& grid) {
   std::vector<double> values;
-  const std::size_t stride = std::max<std::size_t>(1, mesh.size() / sampled_vertices);
-  for (std::size_t v = 0; v < mesh.size(); v += stride) values.push_back(mesh.position[v].dot(axis));
+  const Vec3 axis(grid.axis[k]);
+  for (const Vec3& position : positions) values.push_back(position.dot(axis));
   std::sort(values.begin(), values.end());
-  const double tolerance = same_level * mesh.topology.average_edge_length;
+  const double tolerance = same_level * edge_length;
   std::vector<double> level = {values.front()};
   double smallest = std::numeric_limits<double>::infinity();
   for (const double value : values) {
@@ -125,77 +114,111 @@ Levels find_levels(const MeshArrays& mesh, const Vec3& axis) {
     level.push_back(value);
   }
   if (static_cast<double>(level.size()) < least_levels || (level.back() - level.front()) / smallest > most_levels)
-    return {};
+    return false;
   // The smallest gap is known to within the rounding of coordinates; the whole range, counted in it, is more exact.
   double index = 0;
   for (std::size_t i = 1; i < level.size(); ++i) {
     const double gaps = (level[i] - level[i - 1]) / smallest;
-    if (std::abs(gaps - std::round(gaps)) > off_level * std::round(gaps)) return {};
+    if (std::abs(gaps - std::round(gaps)) > off_level * std::round(gaps)) return false;
     index += std::round(gaps);
   }
-  return {level.front(), (level.back() - level.front()) / index};
+  grid.first[k] = level.front();
+  grid.distance[k] = (level.back() - level.front()) / index;
+  return true;
 }
 
-/// Which of the levels along each axis a vertex is on: bit k tells whether it is an odd one along axis k; 8 if it is
-/// not on levels.
-int parity_at(const Vec3& position, const Axes& axes, const std::array<Levels, 3>& levels) {
-  int parity = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double index = levels[k].index_of(position.dot(axes[k])), whole = std::round(index);
-    if (std::abs(index - whole) > off_level) return 8;
-    if (std::fmod(std::abs(whole), 2) == 1) parity |= 1 << k;
-  }
-  return parity;
-}
+/// Of the levels that a vertex of the grid is on, one along each axis, which are not those of centres: a bit alone.
+constexpr std::array<unsigned, 3> between_along = {1, 2, 4};
 
-std::optional<VoxelStairs> stairs_along(const MeshArrays& mesh, const Axes& axes, Job& job) {
-  std::array<Levels, 3> levels;
-  for (std::size_t k = 0; k < 3; ++k) {
-    levels[k] = find_levels(mesh, axes[k]);
-    if (levels[k].distance == 0) return std::nullopt;
-  }
-  Array<std::uint8_t> parity(mesh.size());
-  std::array<std::size_t, 9> count{};
-  job.serial(mesh.size(), [&](std::size_t v) {
-    parity[v] = static_cast<std::uint8_t>(parity_at(mesh.position[v], axes, levels));
-    ++count[parity[v]];
-  });
+/// Sets where the grid's centres are. Whether nearly all vertices are half-way between two of them, along each axis
+/// some.
+bool find_centres(const CountParities& count, VoxelGrid& grid) {
+  const ParityCounts counts = count(grid);
   // Along each axis the even levels may be those of the centres or those between them.
-  const auto on_grid = [&](std::size_t centres) {
-    return count[centres ^ 1u] + count[centres ^ 2u] + count[centres ^ 4u];
+  const auto on_grid = [&](unsigned centres) {
+    std::size_t sum = 0;
+    for (const unsigned between : between_along) sum += counts[centres ^ between];
+    return sum;
   };
-  std::size_t centres = 0;
-  for (std::size_t other = 1; other < 8; ++other)
-    if (on_grid(other) > on_grid(centres)) centres = other;
-  if (!(static_cast<double>(on_grid(centres)) >= share_on_grid * static_cast<double>(mesh.size()))) return std::nullopt;
-  for (std::size_t k = 0; k < 3; ++k)
-    if (count[centres ^ (std::size_t(1) << k)] == 0) return std::nullopt;
-  VoxelStairs stairs{axes, {}, std::move(parity)};
-  for (std::size_t k = 0; k < 3; ++k) stairs.step[k] = 2 * levels[k].distance;
-  job.serial(mesh.size(), [&](std::size_t v) {
-    const std::size_t between = stairs.pair[v] ^ centres;
-    stairs.pair[v] = between == 1 ? 0 : between == 2 ? 1 : between == 4 ? 2 : 3;
+  for (unsigned centres = 1; centres < 8; ++centres)
+    if (on_grid(centres) > on_grid(grid.odd_centres)) grid.odd_centres = centres;
+  const auto all = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::size_t{0}));
+  return static_cast<double>(on_grid(grid.odd_centres)) >= share_on_grid * all &&
+         std::all_of(between_along.begin(), between_along.end(),
+                     [&](unsigned between) { return counts[grid.odd_centres ^ between] > 0; });
+}
+
+std::optional<VoxelGrid> grid_along(const Axes& axes, const GridSample& sample, double edge_length,
+                                    const CountParities& count) {
+  VoxelGrid grid;
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < 3; ++i) grid.axis[k][i] = axes[static_cast<std::size_t>(k)][i];
+    if (!find_levels(sample.position, edge_length, k, grid)) return std::nullopt;
+  }
+  return find_centres(count, grid) ? std::optional<VoxelGrid>(grid) : std::nullopt;
+}
+
+/// The grid of a whole mesh.
+std::optional<VoxelGrid> find_grid(const MeshArrays& mesh, const FaceGeometry& faces, Job& job) {
+  if (mesh.size() < least_vertices) return std::nullopt;
+  GridSample sample;
+  const std::size_t to_vertex = sample_stride(mesh.size(), sampled_vertices);
+  for (std::size_t v = 0; v < mesh.size(); v += to_vertex) sample.position.push_back(mesh.position[v]);
+  const std::size_t to_face = sample_stride(faces.normal.size(), averaged_faces);
+  for (std::size_t f = 0; f < faces.normal.size(); f += to_face) sample.normal.push_back(faces.normal[f]);
+  return find_voxel_grid(sample, mesh.topology.average_edge_length, [&](const VoxelGrid& grid) {
+    ParityCounts counts{};
+    job.serial(mesh.size(), [&](std::size_t v) { ++counts[parity_at(mesh.position[v], grid)]; });
+    return counts;
   });
-  return stairs;
 }
 
 }  // namespace
 
-std::optional<VoxelStairs> find_voxel_stairs(const MeshArrays& mesh, const FaceGeometry& faces, Job& job) {
-  const std::vector<Direction> directions = find_directions(faces);
-  if (directions.empty() || mesh.size() < least_vertices) return std::nullopt;
-  if (std::optional<VoxelStairs> stairs = stairs_along(mesh, {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, job))
-    return stairs;
+unsigned parity_at(const Vec3& position, const VoxelGrid& grid) {
+  unsigned parity = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double index = (position.dot(Vec3(grid.axis[k])) - grid.first[k]) / grid.distance[k];
+    const double whole = std::round(index);
+    if (std::abs(index - whole) > off_level) return off_grid;
+    if (std::fmod(std::abs(whole), 2) == 1) parity |= 1U << k;
+  }
+  return parity;
+}
+
+std::optional<VoxelGrid> find_voxel_grid(const GridSample& sample, double edge_length, const CountParities& count) {
+  if (sample.position.empty()) return std::nullopt;
+  const std::vector<Direction> directions = find_directions(sample.normal);
+  if (directions.empty()) return std::nullopt;
+  const auto along = [&](const Axes& axes) { return grid_along(axes, sample, edge_length, count); };
+  if (std::optional<VoxelGrid> grid = along({Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()})) return grid;
   int pairs = 0;
   for (std::size_t a = 0; a < directions.size(); ++a)
     for (std::size_t b = a + 1; b < directions.size(); ++b) {
       if (std::abs(directions[a].normal.dot(directions[b].normal)) > orthogonal) continue;
       if (++pairs > most_pairs) return std::nullopt;
-      job.poll();
-      const Axes axes = refined(directions[a].normal, directions[b].normal, faces);
-      if (std::optional<VoxelStairs> stairs = stairs_along(mesh, in_order(axes), job)) return stairs;
+      const Axes axes = refined(directions[a].normal, directions[b].normal, sample.normal);
+      if (std::optional<VoxelGrid> grid = along(in_order(axes))) return grid;
     }
   return std::nullopt;
+}
+
+std::optional<VoxelStairs> find_voxel_stairs(const MeshArrays& mesh, const FaceGeometry& faces, Job& job) {
+  const bool is_told = mesh.whole && mesh.whole->guided;
+  const std::optional<VoxelGrid> grid = is_told ? mesh.whole->guided->grid : find_grid(mesh, faces, job);
+  if (!grid) return std::nullopt;
+  VoxelStairs stairs;
+  for (std::size_t k = 0; k < 3; ++k) {
+    stairs.axis[k] = Vec3(grid->axis[k]);
+    stairs.step[k] = 2 * grid->distance[k];
+  }
+  stairs.pair.resize(mesh.size());
+  job.serial(mesh.size(), [&](std::size_t v) {
+    const unsigned between = parity_at(mesh.position[v], *grid) ^ grid->odd_centres;
+    const auto found = std::find(between_along.begin(), between_along.end(), between);
+    stairs.pair[v] = static_cast<std::uint8_t>(found - between_along.begin());
+  });
+  return stairs;
 }
 
 Array<double> deviations_by_stairs(const MeshArrays& mesh, const RingMeans& rings, const VoxelStairs& stairs,

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <vector>
 
 #include "face_geometry.h"
 #include "mesh_arrays.h"
@@ -24,8 +27,33 @@ struct VoxelStairs {
 /// What tells: normals of few directions, two of the axes among them unless these are x, y and z; coordinates along
 /// each axis that are multiples of half a step; and all but one in 200 vertices are at a centre along two axes and
 /// half-way along the third. Clean models of exact coordinates, as grids and blocks of steps, fail in the last.
-/// Independent of the mesh's noise, for there is none. New here.
+/// Independent of the mesh's noise, for there is none. New here. In a piece of a larger mesh the grid is what is told
+/// of the whole.
 std::optional<VoxelStairs> find_voxel_stairs(const MeshArrays& mesh, const FaceGeometry& faces, Job& job);
+
+/// What a grid is looked for in first: some of the mesh's vertices and of its faces' normals.
+struct GridSample {
+  std::vector<Vec3> position, normal;
+};
+
+/// Of so many vertices, and of so many faces, a sample takes about, all of them evenly.
+constexpr std::size_t sampled_vertices = 4096;
+constexpr std::size_t averaged_faces = 65536;
+constexpr std::size_t sample_stride(std::size_t count, std::size_t wanted) {
+  return count < wanted ? 1 : count / wanted;
+}
+
+/// Which levels of a grid a vertex is on: bit k tells whether it is an odd one along axis k.
+unsigned parity_at(const Vec3& position, const VoxelGrid& grid);
+/// It is not on levels.
+constexpr unsigned off_grid = 8;
+
+/// How many vertices of the whole mesh have each parity_at().
+using ParityCounts = std::array<std::size_t, 9>;
+using CountParities = std::function<ParityCounts(const VoxelGrid& grid)>;
+
+/// The grid of a mesh, by a sample of it.
+std::optional<VoxelGrid> find_voxel_grid(const GridSample& sample, double edge_length, const CountParities& count);
 
 /// By vertex: standard deviation of its distance from the true surface, along that surface's normal n. For one between
 /// voxels along axis k it is uniform within |n_k| step_k / 2 to both sides. Its normal is taken from the faces as far

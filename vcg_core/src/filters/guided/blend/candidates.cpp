@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "../mean_normals.h"
-#include "../median.h"
 #include "../normal_filter.h"
 #include "../vertex_update.h"
 #include "band_limits.h"
@@ -155,15 +154,24 @@ void add_context(const NeighbourhoodMean& mean, const std::vector<Pair>& pairs, 
   }
 }
 
+/// How far the noisy vertices are from the coarse ones along the normals.
+Array<double> residuals(const CoarseResult& coarse, const Array<Vec3>& normal, Job& job) {
+  Array<double> residual(coarse.mesh.size());
+  for_each(normal.size(), job,
+           [&](std::size_t v) { residual[v] = (coarse.noisy[v] - coarse.position[v]).dot(normal[v]); });
+  return residual;
+}
+
+double median_size(const CoarseResult& coarse, Array<double> residual, Job& job) {
+  for_each(residual.size(), job, [&](std::size_t v) { residual[v] = std::abs(residual[v]); });
+  return coarse.medians.of_vertices(residual);
+}
+
 /// The noisy positions, where they are far from the coarse ones along the normal brought nearer.
 Array<Vec3> without_outliers(const CoarseResult& coarse, Job& job) {
   const Array<Vec3> normal = mean_normals(coarse.mesh, coarse.faces.normal, job);
-  Array<double> residual(coarse.mesh.size()), size(coarse.mesh.size());
-  for_each(normal.size(), job, [&](std::size_t v) {
-    residual[v] = (coarse.noisy[v] - coarse.position[v]).dot(normal[v]);
-    size[v] = std::abs(residual[v]);
-  });
-  const double limit = outlier * deviation_of_median * median(std::move(size));
+  const Array<double> residual = residuals(coarse, normal, job);
+  const double limit = outlier * deviation_of_median * median_size(coarse, residual, job);
   Array<Vec3> position(coarse.mesh.size());
   for_each(position.size(), job, [&](std::size_t v) {
     const double held = std::clamp(residual[v], -limit, limit);
@@ -190,6 +198,10 @@ void add_normals(std::vector<Array<Vec3f>> normals, Candidates& candidates) {
 }
 
 }  // namespace
+
+double median_residual(const CoarseResult& coarse, Job& job) {
+  return median_size(coarse, residuals(coarse, mean_normals(coarse.mesh, coarse.faces.normal, job), job), job);
+}
 
 Candidates first_candidates(CoarseResult& coarse, Job& job) {
   // First, so that the memory of the positions is free again when the weights of the neighbourhoods come.

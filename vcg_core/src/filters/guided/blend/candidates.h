@@ -26,6 +26,10 @@ struct Candidates {
 /// coarse faces, which nothing else needs.
 Candidates first_candidates(CoarseResult& coarse, Job& job);
 
+/// Median distance of the noisy vertices from the coarse ones along the normal, over the whole mesh: the next one of
+/// the medians. first_candidates() asks for it.
+double median_residual(const CoarseResult& coarse, Job& job);
+
 /// The candidates of the second stage, which refines the blend of the first one.
 /// @param blended  by face
 Candidates second_candidates(const CoarseResult& coarse, const Array<UnitNormal>& blended, Job& job);
