@@ -63,7 +63,7 @@ std::function<void()> declare_plan(CLI::App& app) {
       ->required();
   app.add_option("--tile-vertices", options->tile_vertices, "About how many vertices a piece has")
       ->capture_default_str();
-  app.add_option("--method", options->method, "The filter: paper")->capture_default_str();
+  app.add_option("--method", options->method, "The filter: paper or guided")->capture_default_str();
   options->parameters.declare(app);
   declare_limits(app, options->limits);
   app.add_flag("--quiet", options->quiet, "Print warnings and errors only");

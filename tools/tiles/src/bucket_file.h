@@ -36,6 +36,7 @@ class BucketFile {
 
   std::size_t cells() const { return cell_.size(); }
   std::uint32_t cell(std::size_t i) const { return cell_[i].number; }
+  std::uint32_t vertices_in(std::size_t i) const { return cell_[i].vertices; }
   /// Appends what the cells from place `begin` to `end` hold.
   void read(std::size_t begin, std::size_t end, BucketPart& part) const;
 

@@ -17,23 +17,28 @@ double square(double x) { return x * x; }
 
 }  // namespace
 
-void CellSet::add_around(std::uint32_t cell, double distance) { add_around(grid_.place_of_cell(cell), distance); }
-
-void CellSet::add_around(const Point& p, double distance) { add_around(grid_.place_of(p), distance); }
-
-void CellSet::add_around(const std::array<std::uint32_t, 3>& place, double distance) {
-  const double limit = distance / grid_.side();
+void for_each_cell_around(const Grid& grid, const std::array<std::uint32_t, 3>& place, double distance,
+                          const std::function<void(std::uint32_t)>& visit) {
+  const double limit = distance / grid.side();
   const double steps = std::min(std::ceil(limit) + 1, 1e6);
   std::array<std::uint32_t, 3> begin{}, end{};
   for (std::size_t k = 0; k < 3; ++k) {
     begin[k] = static_cast<std::uint32_t>(std::max(0.0, static_cast<double>(place[k]) - steps));
-    end[k] = static_cast<std::uint32_t>(std::min<double>(grid_.size()[k], static_cast<double>(place[k]) + steps + 1));
+    end[k] = static_cast<std::uint32_t>(std::min<double>(grid.size()[k], static_cast<double>(place[k]) + steps + 1));
   }
   for (std::uint32_t z = begin[2]; z < end[2]; ++z)
     for (std::uint32_t y = begin[1]; y < end[1]; ++y)
       for (std::uint32_t x = begin[0]; x < end[0]; ++x)
         if (square(gap(x, place[0])) + square(gap(y, place[1])) + square(gap(z, place[2])) <= square(limit))
-          add(grid_.cell_at({x, y, z}));
+          visit(grid.cell_at({x, y, z}));
+}
+
+void CellSet::add_around(std::uint32_t cell, double distance) {
+  for_each_cell_around(*grid_, grid_->place_of_cell(cell), distance, [&](std::uint32_t near) { add(near); });
+}
+
+void CellSet::add_around(const Point& p, double distance) {
+  for_each_cell_around(*grid_, grid_->place_of(p), distance, [&](std::uint32_t near) { add(near); });
 }
 
 }  // namespace tiles

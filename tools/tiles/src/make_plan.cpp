@@ -14,6 +14,7 @@
 #include "disk_space.h"
 #include "fail.h"
 #include "fingerprint.h"
+#include "guided_plan.h"
 #include "memory.h"
 #include "piece.h"
 #include "plan.h"
@@ -28,7 +29,7 @@ constexpr std::size_t block = 3 << 14;  // vertices or faces that are read at on
 void require_method(vcg_core::Method method) {
   if (can_be_cut(method)) return;
   throw vcg_core::InvalidParameter("method " + vcg_core::method_name(method) +
-                                   " cannot be run in pieces; allowed is paper");
+                                   " cannot be run in pieces; allowed are paper and guided");
 }
 
 /// @throws mesh_tools::FileError: a coordinate is not finite
@@ -166,6 +167,7 @@ double measure_edges(const LargeMesh& mesh, const Plan& plan, Stage stage) {
 
 /// How far, in |e|, the new position of a vertex depends on others.
 double reach_in_edges(const Job& job) {
+  if (job.method == vcg_core::Method::guided) return guided_reach(job.parameters);
   constexpr double margin = 1.5;  // half an edge that distances are followed beyond the cut-off, and one to be sure
   return job.parameters.iterations * (job.parameters.rho * job.parameters.sigma_c + margin);
 }
@@ -185,7 +187,9 @@ void lay_cut(const LargeMesh& mesh, std::size_t tile_vertices, Plan& plan, std::
 
 }  // namespace
 
-bool can_be_cut(vcg_core::Method method) { return method == vcg_core::Method::paper; }
+bool can_be_cut(vcg_core::Method method) {
+  return method == vcg_core::Method::paper || method == vcg_core::Method::guided;
+}
 
 void make_plan(const std::filesystem::path& input, const std::filesystem::path& folder, std::size_t tile_vertices,
                const Job& job, const vcg_core::Progress& progress,
@@ -193,6 +197,7 @@ void make_plan(const std::filesystem::path& input, const std::filesystem::path& 
   require_method(job.method);
   if (job.parameters.check) throw vcg_core::InvalidParameter("check cannot be done in pieces");
   if (job.parameters.selected_only) throw vcg_core::InvalidParameter("selected cannot be used in pieces");
+  if (job.parameters.smooth_color) throw vcg_core::InvalidParameter("smooth_color cannot be done in pieces");
   const LargeMesh mesh(input);
   if (!job.passes_over_selection && mesh.has_selection())
     fail(input, "has a selection, which pieces cannot follow; --no-selected moves all vertices");
@@ -229,7 +234,11 @@ void make_plan(const std::filesystem::path& input, const std::filesystem::path& 
     distribution.spread_faces(Stage(progress, "Sorting faces", 0.2, 0.45));
     distribution.sort_buckets(Stage(progress, "Ordering pieces", 0.45, 0.6));
   }
-  plan.average_edge_length = measure_edges(mesh, plan, Stage(progress, "Measuring edges", 0.6, 1));
+  const bool is_guided = job.method == vcg_core::Method::guided;
+  plan.average_edge_length = measure_edges(mesh, plan, Stage(progress, "Measuring edges", 0.6, is_guided ? 0.7 : 1));
+  if (is_guided)
+    plan.guided =
+        measure_guided(mesh, plan, vertices_of_sample(tile_vertices), Stage(progress, "Measuring the noise", 0.7, 1));
   plan.reach = reach_in_edges(job) * plan.average_edge_length;
   durable_files::PendingFile file(plan.folder / "plan.json");
   file.write(plan_text(plan));

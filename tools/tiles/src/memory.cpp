@@ -19,22 +19,40 @@ namespace {
 /// Of a process without any mesh, and of the grid.
 constexpr std::uint64_t base_memory = std::uint64_t(60) << 20;
 
-/// Of each vertex of a piece, its positions in and out and its faces included, in double precision.
-constexpr std::uint64_t bytes_per_vertex = 720;
+/// The smallest tile that is made for a limit of memory.
+constexpr std::size_t fewest_vertices = 20000;
 
-/// Vertices of a tile's piece for each of its own, where tiles are not tiny.
-double with_surroundings(std::size_t tile_vertices) {
-  constexpr double edges_around = 40;  // of the paper's filter about 6, and a cell
-  const double across = std::sqrt(static_cast<double>(tile_vertices));
-  return (across + edges_around) * (across + edges_around);
+/// What a method needs.
+struct Needs {
+  std::uint64_t of_vertex;  ///< bytes for each vertex of a piece, positions in and out and faces included, in double
+                            ///< precision
+  double edges_around;      ///< from one side of a tile to the other its surroundings add this, in edges
+  std::uint64_t of_whole;   ///< bytes for each vertex of a file that is smoothed at once
+};
+
+Needs needs_of(vcg_core::Method method) {
+  if (method == vcg_core::Method::guided) return {1200, 120, 1150};
+  return {720, 40, 620};  // of the reach about 12, the rest are cells
+}
+
+/// Vertices of a tile's piece, where tiles are not tiny.
+double with_surroundings(std::size_t tile_vertices, vcg_core::Method method) {
+  const double across = std::sqrt(static_cast<double>(tile_vertices)) + needs_of(method).edges_around;
+  return across * across;
 }
 
 }  // namespace
 
 std::uint64_t memory_of_piece(std::size_t tile_vertices, std::size_t vertices, std::size_t faces,
-                              vcg_core::Method /*method*/) {
+                              vcg_core::Method method) {
   const std::uint64_t bits = (vertices + faces) / 8 * 3 / 2;  // of IndexSet
-  return base_memory + bits + static_cast<std::uint64_t>(with_surroundings(tile_vertices)) * bytes_per_vertex;
+  return base_memory + bits +
+         static_cast<std::uint64_t>(with_surroundings(tile_vertices, method)) * needs_of(method).of_vertex;
+}
+
+std::size_t vertices_of_sample(std::size_t tile_vertices) {
+  return static_cast<std::size_t>(
+      with_surroundings(std::max(tile_vertices, fewest_vertices), vcg_core::Method::guided));
 }
 
 std::uint64_t memory_of_plan(std::size_t vertices) {
@@ -53,14 +71,13 @@ std::uint64_t disk_bytes(std::size_t vertices, std::size_t faces, std::size_t re
 }
 
 std::size_t tile_vertices_within(std::uint64_t memory, const std::filesystem::path& input, vcg_core::Method method) {
-  constexpr std::size_t fewest = 20000;
   const LargeMesh mesh(input);
-  const std::uint64_t least =
-      std::max(memory_of_plan(mesh.vertices()), memory_of_piece(fewest, mesh.vertices(), mesh.faces(), method));
+  const std::uint64_t least = std::max(memory_of_plan(mesh.vertices()),
+                                       memory_of_piece(fewest_vertices, mesh.vertices(), mesh.faces(), method));
   if (memory < least)
     fail(input, "with " + std::to_string(mesh.vertices()) + " vertices needs at least " + in_bytes(least) +
                     " of memory; allowed are " + in_bytes(memory));
-  std::size_t low = fewest, high = std::max(fewest + 1, mesh.vertices());
+  std::size_t low = fewest_vertices, high = std::max(fewest_vertices + 1, mesh.vertices());
   while (high - low > 1) {
     const std::size_t middle = low + (high - low) / 2;
     (memory_of_piece(middle, mesh.vertices(), mesh.faces(), method) <= memory ? low : high) = middle;
@@ -68,16 +85,17 @@ std::size_t tile_vertices_within(std::uint64_t memory, const std::filesystem::pa
   return low;
 }
 
-std::uint64_t memory_of_whole(const std::filesystem::path& input, vcg_core::Method /*method*/) {
-  constexpr std::uint64_t bytes_per_vertex_of_file = 620, bytes_per_byte_of_file = 16;
+std::uint64_t memory_of_whole(const std::filesystem::path& input, vcg_core::Method method) {
+  const std::uint64_t of_vertex = needs_of(method).of_whole;
+  constexpr std::uint64_t bytes_of_file_per_vertex = 38;  // at least, of text too
   std::uint64_t bytes = 0;
   try {
     const LargeMesh mesh(input);
-    bytes = (mesh.is_stl() ? mesh.vertices() / 6 : mesh.vertices()) * bytes_per_vertex_of_file;
+    bytes = (mesh.is_stl() ? mesh.vertices() / 6 : mesh.vertices()) * of_vertex;
   } catch (const std::runtime_error&) {  // no file that can be cut: whoever reads it says what it lacks
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(input, error);
-    if (!error) bytes = size * bytes_per_byte_of_file;
+    if (!error) bytes = size * of_vertex / bytes_of_file_per_vertex;
   }
   return base_memory + bytes;
 }

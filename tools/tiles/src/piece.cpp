@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "bucket_file.h"
-#include "cell_set.h"
 #include "index_set.h"
 
 namespace tiles {
@@ -38,33 +37,46 @@ std::vector<std::uint32_t> other_vertices(const std::vector<BucketFace>& faces, 
 
 }  // namespace
 
+template <class Use>
+void PieceReader::for_each_bucket(const CellSet& cells, const Use& use) const {
+  std::vector<bool> is_wanted(plan_.tiles());
+  for (std::uint32_t cell = 0; cell < plan_.grid.cells(); ++cell)
+    if (cells.contains(cell)) is_wanted[cut_.tile_of(cell)] = true;
+  for (std::size_t tile = 0; tile < plan_.tiles(); ++tile)
+    if (is_wanted[tile]) use(BucketFile(plan_.bucket_path(tile), plan_.real_size));
+}
+
 PieceReader::PieceReader(const Plan& plan, const LargeMesh& mesh)
     : plan_(plan), mesh_(mesh), cut_(plan.grid, plan.cut) {}
 
 Piece PieceReader::read(std::size_t tile, double reach) const {
+  CellSet own(plan_.grid);
+  const BucketFile bucket(plan_.bucket_path(tile), plan_.real_size);
+  for (std::size_t i = 0; i < bucket.cells(); ++i) own.add(bucket.cell(i));
+  return read(own, reach);
+}
+
+Piece PieceReader::read(const CellSet& own, double reach) const {
   Piece piece;
   Found found;
   IndexSet present(plan_.vertices);
-  CellSet cells(plan_.grid);
   {
-    const BucketFile own(plan_.bucket_path(tile), plan_.real_size);
-    own.read(0, own.cells(), found.part);
+    CellSet cells(plan_.grid);
+    for_each_bucket(own, [&](const BucketFile& bucket) {
+      read_cells(bucket, own, found.part);
+      if (reach < 0) return;
+      for (std::size_t i = 0; i < bucket.cells(); ++i)
+        if (own.contains(bucket.cell(i))) cells.add_around(bucket.cell(i), reach);
+    });
     found.own_end = found.part.vertex.size();
     for (const std::uint32_t v : found.part.vertex) present.add(v);
     if (reach >= 0) {
-      for (std::size_t i = 0; i < own.cells(); ++i) cells.add_around(own.cell(i), reach);
       // Next to the tile there may be vertices that are far away, where edges are long.
       for (const std::uint32_t v : other_vertices(found.part.face, present)) cells.add_around(mesh_.position(v), reach);
+      cells.remove(own);
+      for_each_bucket(cells, [&](const BucketFile& bucket) { read_cells(bucket, cells, found.part); });
+      for (std::size_t i = found.own_end; i < found.part.vertex.size(); ++i) present.add(found.part.vertex[i]);
     }
-  }
-  if (reach >= 0) {
-    std::vector<bool> is_near(plan_.tiles());
-    for (std::uint32_t cell = 0; cell < plan_.grid.cells(); ++cell)
-      if (cells.contains(cell)) is_near[cut_.tile_of(cell)] = true;
-    for (std::size_t other = 0; other < plan_.tiles(); ++other)
-      if (is_near[other] && other != tile)
-        read_cells(BucketFile(plan_.bucket_path(other), plan_.real_size), cells, found.part);
-    for (std::size_t i = found.own_end; i < found.part.vertex.size(); ++i) present.add(found.part.vertex[i]);
   }
   piece.own_index.assign(found.part.vertex.begin(),
                          found.part.vertex.begin() + static_cast<std::ptrdiff_t>(found.own_end));
@@ -120,6 +132,7 @@ vcg_core::MeshView view_of(Piece& piece, const Plan& plan) {
           : vcg_core::packed_mesh(piece.floats.data(), piece.vertices(), piece.face.data()->data(), piece.face.size());
   vcg_core::WholeMesh whole;
   whole.average_edge_length = plan.average_edge_length;
+  whole.guided = plan.guided;
   for (std::size_t k = 0; k < 3; ++k) {
     whole.box_min[k] = plan.box.min[k];
     whole.box_max[k] = plan.box.max[k];

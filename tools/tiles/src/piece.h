@@ -7,13 +7,14 @@
 
 #include <vcg_core/mesh/mesh_view.h>
 
+#include "cell_set.h"
 #include "cut.h"
 #include "large_mesh.h"
 #include "plan.h"
 
 namespace tiles {
 
-/// A tile and its surroundings as a mesh in memory. Vertices and faces are in the order of the file.
+/// A tile, or other cells, and the surroundings as a mesh in memory. Vertices and faces are in the order of the file.
 struct Piece {
   std::vector<float> floats;    ///< the positions, if the file has single precision
   std::vector<double> doubles;  ///< otherwise
@@ -44,8 +45,14 @@ class PieceReader {
   /// The vertices of a tile, all faces that touch them, and all vertices and faces that these depend on.
   /// @param reach  how far their positions depend on others; less than 0: only the faces that touch the tile
   Piece read(std::size_t tile, double reach) const;
+  /// The same of any cells.
+  Piece read(const CellSet& own, double reach) const;
 
  private:
+  /// Calls use(bucket) for each bucket that some of the cells belong to.
+  template <class Use>
+  void for_each_bucket(const CellSet& cells, const Use& use) const;
+
   const Plan& plan_;
   const LargeMesh& mesh_;
   Cut cut_;

@@ -48,6 +48,36 @@ Job job_of(const ordered_json& json) {
   return job;
 }
 
+ordered_json to_json(const vcg_core::GuidedWhole& whole) {
+  const vcg_core::GuidedWhole::Testimony& t = whole.testimony;
+  ordered_json json = {
+      {"testimony", {t.opposed, t.expected, t.trusted, t.asked}}, {"noise", whole.noise}, {"medians", whole.medians}};
+  if (whole.grid)
+    json["voxels"] = {{"axis", whole.grid->axis},
+                      {"first", whole.grid->first},
+                      {"distance", whole.grid->distance},
+                      {"odd_centres", whole.grid->odd_centres}};
+  return json;
+}
+
+vcg_core::GuidedWhole guided_of(const ordered_json& json) {
+  vcg_core::GuidedWhole whole;
+  const ordered_json& t = json.at("testimony");
+  whole.testimony = {t.at(0), t.at(1), t.at(2), t.at(3)};
+  whole.noise = json.at("noise");
+  whole.medians = json.at("medians").get<std::vector<double>>();
+  if (!json.contains("voxels")) return whole;
+  const ordered_json& voxels = json.at("voxels");
+  whole.grid.emplace();
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < 3; ++i) whole.grid->axis[k][i] = voxels.at("axis").at(k).at(i);
+    whole.grid->first[k] = voxels.at("first").at(k);
+    whole.grid->distance[k] = voxels.at("distance").at(k);
+  }
+  whole.grid->odd_centres = voxels.at("odd_centres");
+  return whole;
+}
+
 std::uint64_t id_of(const ordered_json& json) {
   Checksum sum;
   sum.add(json.dump());
@@ -83,6 +113,7 @@ std::string plan_text(Plan& plan) {
       {"grid", {{"origin", plan.grid.origin()}, {"side", plan.grid.side()}, {"size", plan.grid.size()}}},
       {"vertices_of", plan.vertices_of}};
   for (const Cut::Node& node : plan.cut) json["cut"].push_back({node.axis, node.at, node.low, node.high});
+  if (plan.guided) json["guided"] = to_json(*plan.guided);
   plan.id = id_of(json);
   json["id"] = plan.id;
   return json.dump(1) + "\n";
@@ -117,6 +148,7 @@ Plan read_plan(const std::filesystem::path& folder) {
     plan.reach = json.at("reach");
     plan.grid = Grid(json.at("grid").at("origin").get<Point>(), json.at("grid").at("side"),
                      json.at("grid").at("size").get<std::array<std::uint32_t, 3>>());
+    if (json.contains("guided")) plan.guided = guided_of(json.at("guided"));
     plan.vertices_of = json.at("vertices_of").get<std::vector<std::size_t>>();
     for (const ordered_json& node : json.at("cut"))
       plan.cut.push_back({node.at(0), node.at(1), node.at(2), node.at(3)});

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <tiles/tiles.h>
+#include <vcg_core/mesh/guided_whole.h>
 
 #include "cut.h"
 #include "grid.h"
@@ -29,6 +31,7 @@ struct Plan {
   Box box;
   double average_edge_length = 0;
   double reach = 0;  ///< how far a vertex's new position depends on others, in the mesh's unit
+  std::optional<vcg_core::GuidedWhole> guided;  ///< of the guided method only
   Grid grid;
   std::vector<Cut::Node> cut;
   std::vector<std::size_t> vertices_of;  ///< by tile

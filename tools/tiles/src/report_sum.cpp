@@ -59,6 +59,7 @@ nlohmann::ordered_json report_to_json(const SmoothingReport& report) {
   const auto put = [&](const char* name, const auto& value) { json[name] = value; };
   for_each_count(report, put);
   for_each_largest(report, put);
+  if (report.estimated_noise) json["estimated_noise"] = *report.estimated_noise;
   return json;
 }
 
@@ -71,6 +72,7 @@ SmoothingReport report_from_json(const nlohmann::ordered_json& json) {
   const auto take = [&](const char* name, auto& value) { json.at(name).get_to(value); };
   for_each_count(report, take);
   for_each_largest(report, take);
+  if (json.contains("estimated_noise")) report.estimated_noise = json.at("estimated_noise").get<double>();
   return report;
 }
 

@@ -20,6 +20,7 @@ vcg_core::SmoothingReport report_of_points(const Plan& plan, const Piece& piece)
   report.average_edge_length = plan.average_edge_length;
   report.vertices = report.skipped_vertices.isolated = piece.own_index.size();
   report.closed = true;
+  if (plan.guided) report.estimated_noise = plan.guided->noise;
   return report;
 }
 
@@ -74,7 +75,8 @@ TileOutcome run_tile(const std::filesystem::path& folder, std::size_t tile, int 
   if (piece.face.empty()) {
     result.report = report_of_points(plan, piece);
   } else {
-    if (plan.job.parameters.iterations == 1) hold_surroundings(piece);
+    const bool is_one_step = plan.job.method == vcg_core::Method::paper && plan.job.parameters.iterations == 1;
+    if (is_one_step) hold_surroundings(piece);
     vcg_core::SmoothingParameters parameters = plan.job.parameters;
     parameters.threads = threads;
     result.report =

@@ -19,6 +19,10 @@ void Stage::at(double part) {
   if (!progress_(from_ + (to_ - from_) * part, name_)) throw vcg_core::Cancelled();
 }
 
+Stage Stage::inner(double from, double to) const {
+  return {progress_, name_, from_ + (to_ - from_) * from, from_ + (to_ - from_) * to};
+}
+
 vcg_core::Progress Stage::part(double from, double to) const {
   if (!progress_) return {};
   return [this, from, to](double fraction, const char* /*stage*/) {

@@ -18,6 +18,8 @@ class Stage {
   void at(double part);
   void at(std::size_t done, std::size_t of) { at(static_cast<double>(done) / static_cast<double>(of)); }
 
+  /// A stretch of this one.
+  Stage inner(double from, double to) const;
   /// The progress of a work that is a part of this stage.
   vcg_core::Progress part(double from, double to) const;
 
