@@ -12,6 +12,7 @@
 
 #include <support/noisy_shapes.h>
 #include <support/packed.h>
+#include <vcg_core/mesh/guided_measures.h>
 #include <vcg_core/mesh/measures.h>
 #include <vcg_core/mesh/smoothing.h>
 
@@ -126,6 +127,69 @@ TEST_P(Piece, HasEdgesThatAddUpToTheWhole) {
   }
   EXPECT_EQ(vertices, shape.points.size());
   EXPECT_NEAR(length / static_cast<double>(edges), expected, 1e-12 * expected);
+}
+
+/// A side of a plane with what lies within `reach` edges of it, as a view that is told of the whole.
+struct ToldPart {
+  ToldPart(const FlatMesh& shape, double side, double reach, const WholeMesh& whole)
+      : part(part_of(shape, side, reach * whole.average_edge_length)), packed(part.mesh) {
+    view = packed.view();
+    view.whole = whole;
+    view.counted_vertices.data = part.own_vertex.data();
+    view.counted_faces.data = part.own_face.data();
+  }
+
+  Part part;
+  Packed<double> packed;
+  vcg_core::MeshView view;
+};
+
+TEST_P(Piece, ComesOutOfTheGuidedFilterAsInTheWhole) {
+  const FlatMesh shape = noisy_shape(GetParam(), 12000);
+  const SmoothingParameters parameters = vcg_core::method_info(Method::guided).defaults;
+  Packed<double> expected(shape);
+  const SmoothingReport report = smooth(expected.view(), Method::guided, parameters);
+  WholeMesh whole = whole_of(shape);
+  whole.guided.emplace();
+  std::vector<std::vector<vcg_core::VertexNoise>> noise;
+  for (const double side : {1.0, -1.0}) {
+    const vcg_core::NoiseOfPiece of_part = noise_of_piece(ToldPart(shape, side, 24, whole).view);
+    vcg_core::GuidedWhole::Testimony& sum = whole.guided->testimony;
+    sum.opposed += of_part.testimony.opposed;
+    sum.expected += of_part.testimony.expected;
+    sum.trusted += of_part.testimony.trusted;
+    sum.asked += of_part.testimony.asked;
+    noise.push_back(of_part.vertices);
+  }
+  vcg_core::MeanNoise mean(*whole.guided, whole.average_edge_length);
+  for (const std::vector<vcg_core::VertexNoise>& vertices : noise) mean.add(vertices);
+  whole.guided->noise = mean.value();
+  EXPECT_NEAR(mean.value() / *report.estimated_noise, 1, 1e-6);
+
+  // About, from one part; then by the values of both.
+  whole.guided->medians = guided_medians(ToldPart(shape, 1, 16, whole).view, parameters);
+  std::vector<vcg_core::ValueCounts> counts;
+  for (const double side : {1.0, -1.0}) count_guided_values(ToldPart(shape, side, 16, whole).view, parameters, counts);
+  ASSERT_EQ(counts.size(), whole.guided->medians.size());
+  for (std::size_t i = 0; i < counts.size(); ++i) whole.guided->medians[i] = counts[i].median();
+
+  std::size_t far = 0;
+  for (const double side : {1.0, -1.0}) {
+    ToldPart told(shape, side, 40, whole);
+    const SmoothingReport of_part = smooth(told.view, Method::guided, parameters);
+    EXPECT_NEAR(*of_part.estimated_noise / *report.estimated_noise, 1, 1e-6);
+    EXPECT_EQ(of_part.warnings(), report.warnings());
+    for (std::size_t v = 0; v < told.part.index.size(); ++v)
+      if (told.part.own_vertex[v])
+        far += (told.packed.point(v) - expected.point(told.part.index[v])).Norm() > 1e-3 * whole.average_edge_length;
+  }
+  EXPECT_LE(far, shape.points.size() / 10000);
+}
+
+TEST(GuidedMeasures, NeedToBeToldOfTheWhole) {
+  const Packed<double> mesh(noisy_shape("torus", 500));
+  EXPECT_THROW(vcg_core::noise_of_piece(Packed<double>(mesh).view()), vcg_core::InvalidParameter);
+  EXPECT_THROW(vcg_core::guided_medians(Packed<double>(mesh).view(), {}), vcg_core::InvalidParameter);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Piece, testing::Values("torus", "cad_part", "thin_plate", "plane_delaunay"),

@@ -49,21 +49,25 @@ CellSet median_sample(const Plan& plan, double reach, std::size_t most_vertices)
     for (const FilledCell& cell : filled) chosen.add(cell.number);
     return chosen;
   }
+  const auto for_each_near = [&](std::uint32_t cell, const auto& visit) {
+    for_each_cell_around(plan.grid, plan.grid.place_of_cell(cell), reach, visit);
+  };
   CellSet with_surroundings(plan.grid);
   std::uint64_t needed = 0;
   for (std::size_t i = 0; i < filled.size(); ++i) {
     const auto at = static_cast<std::uint64_t>(evenly(i) * static_cast<double>(vertices));
-    const auto after = std::upper_bound(filled.begin(), filled.end(), at, [](std::uint64_t place, const FilledCell& c) {
-      return place < c.vertices_before;
-    });
+    const auto after =
+        std::upper_bound(filled.begin(), filled.end(), at,
+                         [](std::uint64_t place, const FilledCell& cell) { return place < cell.vertices_before; });
     const std::uint32_t seed = std::prev(after)->number;
-    std::uint64_t added = 0;
-    for_each_cell_around(plan.grid, plan.grid.place_of_cell(seed), 2 * reach, [&](std::uint32_t cell) {
-      if (!with_surroundings.contains(cell)) added += in_cell[cell];
+    for_each_near(seed, [&](std::uint32_t own) {
+      if (chosen.contains(own) || in_cell[own] == 0) return;
+      for_each_near(own, [&](std::uint32_t cell) {
+        if (!with_surroundings.contains(cell)) needed += in_cell[cell];
+        with_surroundings.add(cell);
+      });
     });
-    if (i > 0 && needed + added > most_vertices) break;
-    needed += added;
-    with_surroundings.add_around(seed, 2 * reach);
+    if (i > 0 && needed > most_vertices) break;
     chosen.add_around(seed, reach);
   }
   return chosen;

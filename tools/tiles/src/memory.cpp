@@ -52,7 +52,7 @@ std::uint64_t memory_of_piece(std::size_t tile_vertices, std::size_t vertices, s
 
 std::size_t vertices_of_sample(std::size_t tile_vertices) {
   return static_cast<std::size_t>(
-      with_surroundings(std::max(tile_vertices, fewest_vertices), vcg_core::Method::guided));
+      with_surroundings(std::max(tile_vertices, fewest_vertices), vcg_core::Method::guided) / 2);
 }
 
 std::uint64_t memory_of_plan(std::size_t vertices) {

@@ -13,7 +13,7 @@ namespace tiles {
 std::uint64_t memory_of_piece(std::size_t tile_vertices, std::size_t vertices, std::size_t faces,
                               vcg_core::Method method);
 
-/// So many vertices may be in memory at once when the medians of the guided filter are measured: as many as in a piece.
+/// How many vertices the medians of the guided filter are measured over at first: half of those of a piece.
 std::size_t vertices_of_sample(std::size_t tile_vertices);
 
 /// Bytes that making a plan needs, about, but for the pieces that it measures.

@@ -39,6 +39,7 @@ unsigned voxel_levels(const std::array<double, 3>& point, const VoxelGrid& grid)
 NoiseOfPiece noise_of_piece(const MeshView& piece, const Progress& progress, int threads) {
   detail::Job job(progress, threads);
   const detail::MeshArrays mesh = detail::read_mesh(piece, job);
+  if (!detail::is_told(mesh)) throw InvalidParameter("nothing is told of the whole mesh");
   job.begin_stage(measuring, 1);
   detail::FaceGeometry faces;
   faces.measure(mesh, mesh.position, job);
@@ -81,6 +82,7 @@ std::vector<double> run_for_medians(const MeshView& view, const SmoothingParamet
   parameters.validate(Method::guided);
   detail::Job job(progress, parameters.threads);
   const detail::MeshArrays mesh = detail::read_mesh(view, job);
+  if (!detail::is_told(mesh)) throw InvalidParameter("nothing is told of the whole mesh");
   job.begin_stage(measuring, 1);
   detail::Array<std::uint8_t> movable(mesh.size());
   for (std::size_t v = 0; v < movable.size(); ++v)

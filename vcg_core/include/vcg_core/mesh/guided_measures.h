@@ -17,7 +17,7 @@
 namespace vcg_core {
 
 // How the numbers of a GuidedWhole come about when no process holds the whole mesh, in this order: the grid, the noise,
-// the medians. Functions that get a view throw as smooth() does.
+// the medians. Functions that get a view throw as smooth() does, and InvalidParameter if `guided` is not there.
 
 /// Some vertices of a mesh and some normals of its faces, taken evenly from all of it: about 4096 and 65536, or all.
 struct VoxelGridSample {
@@ -50,7 +50,7 @@ struct NoiseOfPiece {
 };
 
 /// @param piece    with what is around it: about 40 rings of vertices add to the numbers of a vertex, the nearer the
-///                 more. Of `whole` |e| and the grid are used, and `guided` has to be there.
+///                 more. Of `whole` |e| and the grid are used.
 /// @param threads  0: one for each processor; the result does not depend on it
 NoiseOfPiece noise_of_piece(const MeshView& piece, const Progress& progress = {}, int threads = 0);
 

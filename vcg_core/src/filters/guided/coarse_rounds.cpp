@@ -12,8 +12,8 @@
 
 namespace vcg_core::detail {
 
-CoarseRounds::CoarseRounds(const PassInput& input, const GuidedSettings& settings, std::vector<ValueCounts>* counts)
-    : CoarseRounds(input, settings, NoiseEstimate{}, counts) {
+CoarseRounds::CoarseRounds(const PassInput& input, const GuidedSettings& settings)
+    : CoarseRounds(input, settings, {}, nullptr) {
   estimate_ = estimate_noise(in_.mesh, rings_, in_.position, faces_, job_);
 }
 

@@ -12,9 +12,9 @@ namespace vcg_core::detail {
 class CoarseRounds {
  public:
   /// Estimates the noise.
+  CoarseRounds(const PassInput& input, const GuidedSettings& settings);
+  /// With what is known of the noise.
   /// @param counts  as WholeMedians has them
-  CoarseRounds(const PassInput& input, const GuidedSettings& settings, std::vector<ValueCounts>* counts = nullptr);
-  /// With noise that is known.
   CoarseRounds(const PassInput& input, const GuidedSettings& settings, NoiseEstimate noise,
                std::vector<ValueCounts>* counts = nullptr);
 

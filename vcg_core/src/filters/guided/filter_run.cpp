@@ -35,7 +35,7 @@ FilterRun run_filter(const PassInput& input, const GuidedSettings& settings, Coa
   update_positions(input.mesh, run.normal, input.movable, settings.final_updates, settings, run.position, job);
   job.report(0.95);
   if (settings.recover_detail && !settings.blend)
-    recover_detail(input.mesh, result.rings, input.position, input.movable, settings, coarse.medians(), run.position,
+    recover_detail(input.mesh, result.rings, input.position, input.movable, settings, result.medians, run.position,
                    job);
   return run;
 }

@@ -73,7 +73,7 @@ PassOutput guided_pass(const PassInput& input, const GuidedSettings& settings) {
 
 std::vector<double> medians_of_guided_pass(const PassInput& input, const GuidedSettings& settings,
                                            std::vector<ValueCounts>* counts) {
-  CoarseRounds coarse(input, settings, counts);
+  CoarseRounds coarse(input, settings, told_noise(input.mesh), counts);
   if (!(coarse.noise() > 0)) return {};
   if (settings.blend) {
     coarse.run();

@@ -18,6 +18,7 @@ Filter guided_filter();
 PassOutput guided_pass(const PassInput& input, const GuidedSettings& settings);
 
 /// The medians over the mesh that such a pass goes by, as GuidedWhole has them. No more is done than they need.
+/// @param input   of a piece that is told the noise of the whole
 /// @param counts  as WholeMedians has them
 std::vector<double> medians_of_guided_pass(const PassInput& input, const GuidedSettings& settings,
                                            std::vector<ValueCounts>* counts);

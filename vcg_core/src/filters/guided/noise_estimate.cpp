@@ -152,14 +152,18 @@ Array<Testimony> find_testimony(const Array<Evidence>& own, const Array<Evidence
   return testimony;
 }
 
-/// Whether the mesh is a piece that knows of the whole.
-bool is_told(const MeshArrays& mesh) { return mesh.whole && mesh.whole->guided; }
-
 GuidedWhole::Testimony named(const Testimony& t) {
   return {t[trusted_opposed], t[trusted_expected], t[trusted], t[asked]};
 }
 
 }  // namespace
+
+bool is_told(const MeshArrays& mesh) { return mesh.whole && mesh.whole->guided; }
+
+NoiseEstimate told_noise(const MeshArrays& mesh) {
+  const GuidedWhole& whole = *mesh.whole->guided;
+  return {{}, whole.noise, whole.grid ? 1 : NoiseByWhole(whole.testimony).evidence()};
+}
 
 NoiseByWhole::NoiseByWhole(const GuidedWhole::Testimony& t) {
   const Testimony all(t.opposed, t.expected, t.trusted, t.asked);
