@@ -96,8 +96,8 @@ struct MeshView {
   IndexRows creases;
   std::size_t crease_count = 0;
   /// For a piece of a larger mesh. The piece has to hold, besides the vertices of interest, all that these depend on:
-  /// for the paper's filter the vertices within (rho sigma_c + 0.5) |e| of them, and all faces of those. Farther out,
-  /// where the piece ends, results are worth nothing.
+  /// for the paper's filter the vertices within (rho sigma_c + 0.5) |e| of them, for the guided one those within 40 |e|
+  /// (24 without its blend), and all faces of those. Farther out, where the piece ends, results are worth nothing.
   std::optional<WholeMesh> whole;
   /// The vertices and faces that are of interest. Others move as well, unless their weight is 0, but do not count: not
   /// in a report, a summary or a volume. Without these rows all count.
