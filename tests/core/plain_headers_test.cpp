@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <vcg_core/mesh/guided_measures.h>
 #include <vcg_core/mesh/measures.h>
 #include <vcg_core/mesh/smoothing.h>
 

@@ -39,6 +39,7 @@
 #include <vcg_core/distance_colors.h>
 #include <vcg_core/errors.h>
 #include <vcg_core/geodesic_distance.h>
+#include <vcg_core/mesh/guided_measures.h>
 #include <vcg_core/mesh/measures.h>
 #include <vcg_core/mesh/smoothing.h>
 #include <vcg_core/mesh/vcglib_view.h>

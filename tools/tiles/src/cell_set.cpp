@@ -34,11 +34,11 @@ void for_each_cell_around(const Grid& grid, const std::array<std::uint32_t, 3>& 
 }
 
 void CellSet::add_around(std::uint32_t cell, double distance) {
-  for_each_cell_around(*grid_, grid_->place_of_cell(cell), distance, [&](std::uint32_t near) { add(near); });
+  for_each_cell_around(*grid_, grid_->place_of_cell(cell), distance, [&](std::uint32_t other) { add(other); });
 }
 
 void CellSet::add_around(const Point& p, double distance) {
-  for_each_cell_around(*grid_, grid_->place_of(p), distance, [&](std::uint32_t near) { add(near); });
+  for_each_cell_around(*grid_, grid_->place_of(p), distance, [&](std::uint32_t other) { add(other); });
 }
 
 }  // namespace tiles
