@@ -12,6 +12,9 @@
 
 namespace tiles {
 
+/// So many vertices are in memory at once at least when the medians are measured.
+constexpr std::size_t usual_sample = 30000;
+
 /// What the guided filter has to know of the whole mesh, from pieces of it: the grid of voxels if there is one, the
 /// noise, and the medians of its rounds. Has at most a piece in memory, or `sample_vertices` vertices; uses a file in
 /// the plan's folder for the noise of each vertex.

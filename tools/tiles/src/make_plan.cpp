@@ -71,8 +71,9 @@ std::vector<std::uint32_t> vertices_in_cells(const LargeMesh& mesh, const Grid& 
 
 /// Cells along the longest side of the box, so that a tile has thousands of them, but few vertices each: surfaces fill
 /// about three times the square of that number.
-std::uint32_t cells_along(std::size_t vertices, std::size_t tile_vertices) {
-  const double in_cell = std::max(8.0, static_cast<double>(tile_vertices) / 4096);
+std::uint32_t cells_along(std::size_t vertices, std::size_t tile_vertices, vcg_core::Method method) {
+  const double in_tile = method == vcg_core::Method::guided ? 16384 : 4096;  // surroundings are wide, and whole cells
+  const double in_cell = std::max(8.0, static_cast<double>(tile_vertices) / in_tile);
   return static_cast<std::uint32_t>(std::clamp(std::sqrt(static_cast<double>(vertices) / in_cell / 3), 1.0, 256.0));
 }
 
@@ -175,7 +176,7 @@ double reach_in_edges(const Job& job) {
 /// Lays out the cut for a mesh whose vertices may crowd in few places.
 void lay_cut(const LargeMesh& mesh, std::size_t tile_vertices, Plan& plan, std::vector<std::uint32_t>& in_cell,
              const vcg_core::Progress& progress) {
-  std::uint32_t along = cells_along(mesh.vertices(), tile_vertices);
+  std::uint32_t along = cells_along(mesh.vertices(), tile_vertices, plan.job.method);
   for (;;) {
     plan.grid = Grid(plan.box, along);
     in_cell = vertices_in_cells(mesh, plan.grid, Stage(progress, "Counting vertices", 0.05, 0.1));
@@ -237,8 +238,8 @@ void make_plan(const std::filesystem::path& input, const std::filesystem::path& 
   const bool is_guided = job.method == vcg_core::Method::guided;
   plan.average_edge_length = measure_edges(mesh, plan, Stage(progress, "Measuring edges", 0.6, is_guided ? 0.7 : 1));
   if (is_guided)
-    plan.guided =
-        measure_guided(mesh, plan, vertices_of_sample(tile_vertices), Stage(progress, "Measuring the noise", 0.7, 1));
+    plan.guided = measure_guided(mesh, plan, std::max(tile_vertices, usual_sample),
+                                 Stage(progress, "Measuring the noise", 0.7, 1));
   plan.reach = reach_in_edges(job) * plan.average_edge_length;
   durable_files::PendingFile file(plan.folder / "plan.json");
   file.write(plan_text(plan));

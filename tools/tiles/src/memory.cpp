@@ -31,8 +31,8 @@ struct Needs {
 };
 
 Needs needs_of(vcg_core::Method method) {
-  if (method == vcg_core::Method::guided) return {1200, 120, 1150};
-  return {720, 40, 620};  // of the reach about 12, the rest are cells
+  if (method == vcg_core::Method::guided) return {1100, 200, 1150};  // of the reach 80; a tile may have several sheets
+  return {720, 40, 620};                                             // of the reach about 12, the rest are cells
 }
 
 /// Vertices of a tile's piece, where tiles are not tiny.
@@ -48,11 +48,6 @@ std::uint64_t memory_of_piece(std::size_t tile_vertices, std::size_t vertices, s
   const std::uint64_t bits = (vertices + faces) / 8 * 3 / 2;  // of IndexSet
   return base_memory + bits +
          static_cast<std::uint64_t>(with_surroundings(tile_vertices, method)) * needs_of(method).of_vertex;
-}
-
-std::size_t vertices_of_sample(std::size_t tile_vertices) {
-  return static_cast<std::size_t>(
-      with_surroundings(std::max(tile_vertices, fewest_vertices), vcg_core::Method::guided) / 2);
 }
 
 std::uint64_t memory_of_plan(std::size_t vertices) {

@@ -13,9 +13,6 @@ namespace tiles {
 std::uint64_t memory_of_piece(std::size_t tile_vertices, std::size_t vertices, std::size_t faces,
                               vcg_core::Method method);
 
-/// How many vertices the medians of the guided filter are measured over at first: half of those of a piece.
-std::size_t vertices_of_sample(std::size_t tile_vertices);
-
 /// Bytes that making a plan needs, about, but for the pieces that it measures.
 std::uint64_t memory_of_plan(std::size_t vertices);
 
