@@ -142,7 +142,7 @@ class SameResult(GuidedTiles):
         self.assertLessEqual(usage.ru_maxrss, limit * 1024)
         self.expect_nearly_equal("whole.ply", "pieces.ply", 1e-3)
         self.expect_same_report()
-        self.expect_failure("smooth", "noisy.ply", "out.ply", "--method", "guided", "--memory", "150M", "--quiet",
+        self.expect_failure("smooth", "noisy.ply", "out.ply", "--method", "guided", "--memory", "120M", "--quiet",
                             says="needs at least")
 
 

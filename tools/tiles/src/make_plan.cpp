@@ -69,11 +69,9 @@ std::vector<std::uint32_t> vertices_in_cells(const LargeMesh& mesh, const Grid& 
   return in_cell;
 }
 
-/// Cells along the longest side of the box, so that a tile has thousands of them, but few vertices each: surfaces fill
-/// about three times the square of that number.
+/// Cells along the longest side of the box: surfaces fill about three times the square of that number.
 std::uint32_t cells_along(std::size_t vertices, std::size_t tile_vertices, vcg_core::Method method) {
-  const double in_tile = method == vcg_core::Method::guided ? 16384 : 4096;  // surroundings are wide, and whole cells
-  const double in_cell = std::max(8.0, static_cast<double>(tile_vertices) / in_tile);
+  const double in_cell = vertices_in_cell(tile_vertices, method);
   return static_cast<std::uint32_t>(std::clamp(std::sqrt(static_cast<double>(vertices) / in_cell / 3), 1.0, 256.0));
 }
 

@@ -26,28 +26,38 @@ constexpr std::size_t fewest_vertices = 20000;
 struct Needs {
   std::uint64_t of_vertex;  ///< bytes for each vertex of a piece, positions in and out and faces included, in double
                             ///< precision
-  double edges_around;      ///< from one side of a tile to the other its surroundings add this, in edges
+  double edges_around;      ///< from one side of a tile to the other its surroundings add this, in edges, and
+  double cells_around;      ///< this, in cells; tiles with several sheets included
   std::uint64_t of_whole;   ///< bytes for each vertex of a file that is smoothed at once
 };
 
 Needs needs_of(vcg_core::Method method) {
-  if (method == vcg_core::Method::guided) return {1100, 200, 1150};  // of the reach 80; a tile may have several sheets
-  return {720, 40, 620};                                             // of the reach about 12, the rest are cells
+  if (method == vcg_core::Method::guided) return {1150, 120, 8, 1150};
+  return {720, 40, 0, 620};  // of the reach about 12, the rest are cells
 }
 
 /// Vertices of a tile's piece, where tiles are not tiny.
-double with_surroundings(std::size_t tile_vertices, vcg_core::Method method) {
-  const double across = std::sqrt(static_cast<double>(tile_vertices)) + needs_of(method).edges_around;
+double with_surroundings(std::size_t tile_vertices, std::size_t vertices, vcg_core::Method method) {
+  constexpr double most_cells = 3 * 256.0 * 256.0;  // that a surface fills
+  const double in_cell = std::max(vertices_in_cell(tile_vertices, method), static_cast<double>(vertices) / most_cells);
+  const Needs needs = needs_of(method);
+  const double across =
+      std::sqrt(static_cast<double>(tile_vertices)) + needs.edges_around + needs.cells_around * std::sqrt(in_cell);
   return across * across;
 }
 
 }  // namespace
 
+double vertices_in_cell(std::size_t tile_vertices, vcg_core::Method method) {
+  const double cells = method == vcg_core::Method::guided ? 16384 : 4096;
+  return std::max(8.0, static_cast<double>(tile_vertices) / cells);
+}
+
 std::uint64_t memory_of_piece(std::size_t tile_vertices, std::size_t vertices, std::size_t faces,
                               vcg_core::Method method) {
   const std::uint64_t bits = (vertices + faces) / 8 * 3 / 2;  // of IndexSet
   return base_memory + bits +
-         static_cast<std::uint64_t>(with_surroundings(tile_vertices, method)) * needs_of(method).of_vertex;
+         static_cast<std::uint64_t>(with_surroundings(tile_vertices, vertices, method)) * needs_of(method).of_vertex;
 }
 
 std::uint64_t memory_of_plan(std::size_t vertices) {

@@ -8,6 +8,10 @@
 
 namespace tiles {
 
+/// Vertices that a cell is meant to have, so that a tile has thousands of them: more where surroundings are wide, as
+/// they are whole cells.
+double vertices_in_cell(std::size_t tile_vertices, vcg_core::Method method);
+
 /// Bytes that a process needs to smooth a piece, about.
 /// @param tile_vertices  of the tile; its surroundings are added
 std::uint64_t memory_of_piece(std::size_t tile_vertices, std::size_t vertices, std::size_t faces,
