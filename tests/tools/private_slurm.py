@@ -64,8 +64,8 @@ class PrivateSlurm:
         key.write_bytes(os.urandom(1024))
         key.chmod(0o400)
         (self.folder / "slurm.conf").write_text(CONFIGURATION.format(
-            name=socket.gethostname().split(".")[0], user=pwd.getpwuid(os.geteuid()).pw_name, folder=self.folder, jobs=self.jobs,
-            controller_port=free_port(), node_port=free_port()), encoding="utf-8")
+            name=socket.gethostname().split(".")[0], user=pwd.getpwuid(os.geteuid()).pw_name, folder=self.folder,
+            jobs=self.jobs, controller_port=free_port(), node_port=free_port()), encoding="utf-8")
         self._serve("munged", "--foreground", "--force", f"--key-file={key}", f"--socket={self.folder}/munge.socket",
                     f"--pid-file={self.folder}/munge.pid", f"--log-file={self.folder}/munge.log",
                     f"--seed-file={self.folder}/munge.seed")
