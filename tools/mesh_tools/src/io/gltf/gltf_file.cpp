@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gltf_file.h"
 
-
 #include "../formats.h"
 #include "../text.h"
 #include "base64.h"
