@@ -90,6 +90,13 @@ class SameResult(GuidedTiles):
         self.assertEqual(self.bytes_of("pieces.ply"), self.bytes_of("clean.ply"))
         self.assertEqual(self.json("pieces.json")["estimated_noise"], 0)
 
+    def test_correlated_noise(self):
+        self.run_tool("generate", "stepped_block", "clean.ply", "--vertices", "12000")
+        self.run_tool("noise", "clean.ply", "noisy.ply", "--level", "0.2", "--correlation", "2")
+        self.expect_same_in_pieces("noisy.ply", 4000, 3)
+        report = self.json("pieces.json")
+        self.assertAlmostEqual(report["estimated_noise"] / report["average_edge_length"], 0.2, delta=0.05)
+
     def test_noise_in_one_half(self):
         self.noisy("torus", "12000")
         noisy, clean = Ply.read(self.path("noisy.ply")), Ply.read(self.path("clean.ply"))

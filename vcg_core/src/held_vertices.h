@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include <vcg_core/smoothing_parameters.h>
+
 #include "mesh_arrays.h"
 
 namespace vcg_core::detail {

@@ -82,6 +82,15 @@ void measure_noise(const PieceReader& reader, Plan& plan, const Stage& stage) {
   plan.guided->noise = file.mean(*plan.guided, plan.average_edge_length);
 }
 
+/// Looks for correlated noise on a sample of the mesh.
+void measure_correlated_noise(const PieceReader& reader, Plan& plan, std::size_t sample_vertices, const Stage& stage) {
+  const double reach = median_reach * plan.average_edge_length;
+  Piece sample = reader.read(median_sample(plan, reach, sample_vertices), reach);
+  if (sample.face.empty()) return;
+  plan.guided->noise = vcg_core::correlated_noise(view_of(sample, plan), stage.part(0, 1), plan.job.parameters.threads);
+  plan.guided->correlated = plan.guided->noise > 0;
+}
+
 /// The medians of the rounds: about, from a sample; then, unless that is all of the mesh, by the values of all pieces.
 void measure_medians(const PieceReader& reader, Plan& plan, std::size_t sample_vertices, const Stage& stage) {
   const double reach = median_reach * plan.average_edge_length;
@@ -119,7 +128,8 @@ GuidedWhole measure_guided(const LargeMesh& mesh, const Plan& of_cut, std::size_
   plan.guided->grid = find_voxel_grid(mesh, plan);
   const PieceReader reader(plan, mesh);
   measure_noise(reader, plan, stage.inner(0, 0.3));
-  if (plan.guided->noise > 0) measure_medians(reader, plan, sample_vertices, stage.inner(0.3, 1));
+  if (!(plan.guided->noise > 0)) measure_correlated_noise(reader, plan, sample_vertices, stage.inner(0.3, 0.4));
+  if (plan.guided->noise > 0) measure_medians(reader, plan, sample_vertices, stage.inner(0.4, 1));
   return *plan.guided;
 }
 

@@ -50,8 +50,10 @@ Job job_of(const ordered_json& json) {
 
 ordered_json to_json(const vcg_core::GuidedWhole& whole) {
   const vcg_core::GuidedWhole::Testimony& t = whole.testimony;
-  ordered_json json = {
-      {"testimony", {t.opposed, t.expected, t.trusted, t.asked}}, {"noise", whole.noise}, {"medians", whole.medians}};
+  ordered_json json = {{"testimony", {t.opposed, t.expected, t.trusted, t.asked}},
+                       {"noise", whole.noise},
+                       {"correlated", whole.correlated},
+                       {"medians", whole.medians}};
   if (whole.grid)
     json["voxels"] = {{"axis", whole.grid->axis},
                       {"first", whole.grid->first},
@@ -65,6 +67,7 @@ vcg_core::GuidedWhole guided_of(const ordered_json& json) {
   const ordered_json& t = json.at("testimony");
   whole.testimony = {t.at(0), t.at(1), t.at(2), t.at(3)};
   whole.noise = json.at("noise");
+  whole.correlated = json.at("correlated");
   whole.medians = json.at("medians").get<std::vector<double>>();
   if (!json.contains("voxels")) return whole;
   const ordered_json& voxels = json.at("voxels");

@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include <vcg_core/method.h>
-#include "job.h"
 
+#include "filters/guided/correlated_noise.h"
 #include "filters/guided/guided_filter.h"
 #include "filters/guided/noise_estimate.h"
 #include "filters/guided/voxel_stairs.h"
 #include "held_vertices.h"
+#include "job.h"
 #include "mesh/read_mesh.h"
 
 namespace vcg_core {
@@ -73,6 +74,16 @@ void MeanNoise::add(const std::vector<VertexNoise>& vertices) {
 
 double MeanNoise::value() const {
   return vertices_ > 0 ? std::sqrt(squares_ / static_cast<double>(vertices_)) * average_edge_length_ : 0;
+}
+
+double correlated_noise(const MeshView& sample, const Progress& progress, int threads) {
+  detail::Job job(progress, threads);
+  const detail::MeshArrays mesh = detail::read_mesh(sample, job);
+  if (!detail::is_told(mesh)) throw InvalidParameter("nothing is told of the whole mesh");
+  job.begin_stage(measuring, 1);
+  const double noise = detail::correlated_noise_of(mesh, job);
+  job.finish();
+  return std::ldexp(noise, -mesh.exponent);
 }
 
 namespace {

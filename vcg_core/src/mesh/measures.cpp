@@ -2,7 +2,6 @@
 #include <vcg_core/mesh/measures.h>
 
 #include <cmath>
-#include <cstdint>
 
 #include "count_intersections.h"
 #include "filters/guided/correlated_noise.h"
@@ -65,13 +64,7 @@ double estimate_noise(const MeshView& view, const Progress& progress, int thread
   detail::FaceGeometry faces;
   faces.measure(mesh, mesh.position, job);
   double noise = detail::estimate_noise(mesh, detail::RingMeans(mesh, job), mesh.position, faces, job).mean;
-  if (!(noise > 0)) {
-    const detail::Array<detail::Vec3> no_normals;
-    detail::Array<std::uint8_t> movable(mesh.size());
-    job.serial(mesh.size(),
-               [&](std::size_t v) { movable[v] = mesh.topology.star_begin[v] < mesh.topology.star_begin[v + 1]; });
-    noise = detail::find_correlated_noise({mesh, mesh.position, no_normals, movable, job}).mean;
-  }
+  if (!(noise > 0)) noise = detail::correlated_noise_of(mesh, job);
   job.finish();
   return std::ldexp(noise, -mesh.exponent);
 }

@@ -17,7 +17,8 @@
 namespace vcg_core {
 
 // How the numbers of a GuidedWhole come about when no process holds the whole mesh, in this order: the grid, the noise,
-// the medians. Functions that get a view throw as smooth() does, and InvalidParameter if `guided` is not there.
+// correlated noise if there is no other, the medians. Functions that get a view throw as smooth() does, and
+// InvalidParameter if `guided` is not there.
 
 /// Some vertices of a mesh and some normals of its faces, taken evenly from all of it: about 4096 and 65536, or all.
 struct VoxelGridSample {
@@ -70,6 +71,12 @@ class MeanNoise {
   double squares_ = 0;
   std::size_t vertices_ = 0;
 };
+
+/// Standard deviation of noise that is correlated over some edges, where the pieces have told of none; 0 if there is
+/// none either. Takes as long as smoothing.
+/// @param sample   of the mesh, some thousand vertices and more; of `whole` |e| is used, and `guided` has to be there
+/// @param threads  0: one for each processor; the result does not depend on it
+double correlated_noise(const MeshView& sample, const Progress& progress = {}, int threads = 0);
 
 /// GuidedWhole::medians over the faces and vertices that count.
 /// @param view  with all of `whole` but the medians, or with the first of them

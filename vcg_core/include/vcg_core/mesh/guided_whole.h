@@ -28,6 +28,7 @@ struct GuidedWhole {
   std::optional<VoxelGrid> grid;  ///< empty: the mesh is no boundary of voxels
   Testimony testimony;            ///< not of a mesh with a grid
   double noise = 0;               ///< root of the mean square of the vertices' standard deviations, a length
+  bool correlated = false;        ///< the noise is correlated over some edges, and the same everywhere
   /// Medians over the mesh, in the order in which a run asks for them, lengths in |e|. Fewer than it asks for: those
   /// that are missing are measured over the piece.
   std::vector<double> medians;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "filter_run.h"
+#include "held_vertices.h"
 #include "job.h"
 #include "median.h"
 #include "ring_heights.h"
@@ -31,14 +32,6 @@ constexpr double wide_to = 0.45, wide_none = 0.55;
 constexpr double vertices_from = 1500, vertices_full = 2500;
 
 double ramp(double x, double from, double full) { return std::clamp((x - from) / (full - from), 0.0, 1.0); }
-
-NoiseEstimate even_noise(const MeshArrays& mesh, double deviation) {
-  NoiseEstimate noise;
-  noise.deviation.assign(mesh.size(), deviation);
-  noise.mean = deviation;
-  noise.evidence = 1;
-  return noise;
-}
 
 /// Whether most vertices lie on their rings, so that there is next to no noise, however far it is correlated: of noise
 /// of 0.1 |e| that is correlated over three edges, half of the vertices are more than twice as high.
@@ -91,6 +84,13 @@ NoiseEstimate find_correlated_noise(const PassInput& input) {
   NoiseEstimate found = even_noise(input.mesh, enough * trust_in(of, noise) * whole_deviation(of, correlation));
   found.correlated = true;
   return found;
+}
+
+double correlated_noise_of(const MeshArrays& mesh, Job& job) {
+  const Array<Vec3> no_normals;
+  Array<std::uint8_t> movable(mesh.size());
+  job.serial(mesh.size(), [&](std::size_t v) { movable[v] = !is_isolated(mesh, v); });
+  return find_correlated_noise({mesh, mesh.position, no_normals, movable, job}).mean;
 }
 
 }  // namespace vcg_core::detail

@@ -16,6 +16,9 @@ namespace vcg_core::detail {
 /// new here.
 NoiseEstimate find_correlated_noise(const PassInput& input);
 
+/// The same where all vertices with faces may move.
+double correlated_noise_of(const MeshArrays& mesh, Job& job);
+
 /// How far a residual is noise, from 0 to 1, when `noise` is what low-passed white noise of the same correlation would
 /// be on the same mesh. The product of four factors:
 ///

@@ -57,8 +57,7 @@ PassOutput hold_to_limits(const PassInput& input, const GuidedSettings& settings
 PassOutput guided_pass(const PassInput& input, const GuidedSettings& settings) {
   std::optional<CoarseRounds> coarse(std::in_place, input, settings);
   std::optional<StagePart> part;
-  const bool is_told = input.mesh.whole && input.mesh.whole->guided;
-  if (!(coarse->noise() > 0) && !is_told) {
+  if (!(coarse->noise() > 0) && !is_told(input.mesh)) {
     coarse.reset();
     part.emplace(input.job, 0.0, 0.5);
     NoiseEstimate correlated = find_correlated_noise(input);

@@ -162,7 +162,16 @@ bool is_told(const MeshArrays& mesh) { return mesh.whole && mesh.whole->guided; 
 
 NoiseEstimate told_noise(const MeshArrays& mesh) {
   const GuidedWhole& whole = *mesh.whole->guided;
-  return {{}, whole.noise, whole.grid ? 1 : NoiseByWhole(whole.testimony).evidence()};
+  const bool clear = whole.grid || whole.correlated;
+  return {{}, whole.noise, clear ? 1 : NoiseByWhole(whole.testimony).evidence(), whole.correlated};
+}
+
+NoiseEstimate even_noise(const MeshArrays& mesh, double deviation) {
+  NoiseEstimate noise;
+  noise.deviation.assign(mesh.size(), deviation);
+  noise.mean = deviation;
+  noise.evidence = 1;
+  return noise;
 }
 
 NoiseByWhole::NoiseByWhole(const GuidedWhole::Testimony& t) {
@@ -209,6 +218,11 @@ NoiseSeen look_for_noise(const MeshArrays& mesh, const RingMeans& rings, const A
 
 NoiseEstimate estimate_noise(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position,
                              const FaceGeometry& faces, Job& job) {
+  if (is_told(mesh) && mesh.whole->guided->correlated) {
+    NoiseEstimate told = even_noise(mesh, mesh.whole->guided->noise);
+    told.correlated = true;
+    return told;
+  }
   NoiseSeen seen = look_for_noise(mesh, rings, position, faces, job);
   NoiseEstimate noise;
   if (!seen.of_stairs.empty()) {

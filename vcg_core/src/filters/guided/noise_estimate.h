@@ -15,6 +15,9 @@ struct NoiseEstimate {
   bool correlated = false;  ///< over some edges, so that neighbours agree
 };
 
+/// The same for all vertices.
+NoiseEstimate even_noise(const MeshArrays& mesh, double deviation);
+
 /// Estimates the noise around each vertex.
 ///
 /// Let h_v be the height of a vertex above the mean of its one ring, and m_v the mean of the heights at its neighbours.
