@@ -9,6 +9,7 @@
 #include "held_vertices.h"
 #include "job.h"
 #include "median.h"
+#include "ramp.h"
 #include "ring_heights.h"
 #include "vertex_normals.h"
 
@@ -30,8 +31,6 @@ constexpr double wide_to = 0.45, wide_none = 0.55;
 
 /// Vertices: a mesh of two thousand has some dozens of independent places.
 constexpr double vertices_from = 1500, vertices_full = 2500;
-
-double ramp(double x, double from, double full) { return std::clamp((x - from) / (full - from), 0.0, 1.0); }
 
 /// Whether most vertices lie on their rings, so that there is next to no noise, however far it is correlated: of noise
 /// of 0.1 |e| that is correlated over three edges, half of the vertices are more than twice as high.

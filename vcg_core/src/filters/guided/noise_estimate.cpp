@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "job.h"
+#include "ramp.h"
 #include "ring_heights.h"
 #include "voxel_stairs.h"
 
@@ -52,8 +53,6 @@ constexpr double believed_full = 0.05;
 
 /// Rings over which trusted vertices are looked for; where there are too few, all of the mesh count.
 constexpr int testimony_rings = 24;
-
-double ramp(double x, double from, double full) { return std::clamp((x - from) / (full - from), 0.0, 1.0); }
 
 /// What one vertex, or several, tell. Products are those of a height and the mean height around it.
 using Evidence = Eigen::Matrix<double, 7, 1>;
