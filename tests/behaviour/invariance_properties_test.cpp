@@ -67,8 +67,8 @@ Draw draw_method() {
   }
   if (info.method == Method::guided) {
     drawn.parameters.blend = *rc::gen::element(vcg_core::Blend::on, vcg_core::Blend::off);
-    drawn.share = 0.05;                                                         // two guides of the same consistency
-    if (drawn.parameters.blend == vcg_core::Blend::on) drawn.tolerance = 3e-5;  // its candidates are single
+    drawn.share = 0.05;      // two guides of the same consistency
+    drawn.tolerance = 3e-5;  // candidates of the blend, which also looks for correlated noise, are single
   }
   return drawn;
 }
