@@ -103,6 +103,7 @@ Axes in_order(Axes axes) {
 bool find_levels(const std::vector<Vec3>& positions, double edge_length, int k, VoxelGrid& grid) {
   std::vector<double> values;
   const Vec3 axis(grid.axis[k]);
+  values.reserve(positions.size());
   for (const Vec3& position : positions) values.push_back(position.dot(axis));
   std::sort(values.begin(), values.end());
   const double tolerance = same_level * edge_length;
