@@ -33,12 +33,6 @@ void write_table(std::ostream& out, const char* name, const Table& table) {
       << " is damaged\");\n\n";
 }
 
-void write_network(std::ostream& out, const char* name) {
-  out << "{{";
-  for (int k = 0; k < 4; ++k) out << (k > 0 ? ", " : "") << name << "_sizes[" << k << "]";
-  out << "}, " << name << ", std::size(" << name << ")}";
-}
-
 }  // namespace
 
 Table table_of(const Network& network) {
@@ -70,11 +64,9 @@ void write_weights(const std::string& file, const std::string& noise, const std:
   write_table(out, "first_stage", first);
   write_table(out, "second_stage", second);
   out << "}  // namespace\n\nconst BlendWeights& " << noise
-      << "_noise_weights() {\n  static const BlendWeights weights{";
-  write_network(out, "first_stage");
-  out << ", ";
-  write_network(out, "second_stage");
-  out << "};\n  return weights;\n}\n\n}  // namespace vcg_core::detail\n";
+      << "_noise_weights() {\n  static const BlendWeights weights{network_table(first_stage_sizes, first_stage), "
+         "network_table(second_stage_sizes, second_stage)};\n  return weights;\n}\n\n}  // namespace "
+         "vcg_core::detail\n";
   if (!out.flush()) throw std::runtime_error("cannot write '" + file + "'");
 }
 

@@ -43,8 +43,8 @@ class Heights {
     residual.height = low_pass(rings_, std::move(residual.height), low_passes, job_);
     const Array<double> wide = low_pass(rings_, residual.height, 10, job_);
     for (std::size_t v = 0; v < mesh_.size(); ++v) residual.height[v] -= wide[v];
-    return trust_in(statistics_of(rings_, residual, job_),
-                    statistics_of_noise(rings_, seen_, correlation_of(rings_, residual, job_), job_));
+    const ResidualStatistics of = statistics_of(rings_, residual, job_);
+    return trust_in(of, spread_of_noise(rings_, seen_, of.correlation, job_));
   }
 
  private:

@@ -246,11 +246,7 @@ class FullDisk(CommandLine):
 
     def setUp(self):
         super().setUp()
-        self.namespace = ["unshare", "--mount", "--map-root-user"] if os.geteuid() != 0 else ["unshare", "--mount"]
-        if subprocess.run([*self.namespace, "mount", "-t", "tmpfs", "none", self.folder], check=False,
-                          capture_output=True).returncode != 0:
-            self.skipTest("needs the right to mount a file system of its own")
-        os.mkdir(self.path("small"))
+        self.namespace = self.mount_namespace()
         for kind in FORMATS:
             self.run_tool("generate", "cube", f"large.{kind}", "--vertices", "20000", "--quiet")
             self.run_tool("generate", "cube", f"old.{kind}", "--vertices", "100", "--quiet")

@@ -27,6 +27,15 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(result.returncode, status, f"{arguments}: {result.stdout}{result.stderr}")
         return result
 
+    def mount_namespace(self):
+        """Makes small/, and returns what runs a command that may mount a file system there, gone when it ends."""
+        namespace = ["unshare", "--mount", "--map-root-user"] if os.geteuid() != 0 else ["unshare", "--mount"]
+        if subprocess.run([*namespace, "mount", "-t", "tmpfs", "none", self.folder], check=False,
+                          capture_output=True).returncode != 0:
+            self.skipTest("needs the right to mount a file system of its own")
+        os.mkdir(self.path("small"))
+        return namespace
+
     def noisy(self, shape="cad_part", vertices="3000", *options):
         self.run_tool("generate", shape, "clean.ply", "--vertices", vertices, *options)
         self.run_tool("noise", "clean.ply", "noisy.ply", "--level", "0.2", "--seed", "3")

@@ -162,12 +162,7 @@ class Determinism(GuidedTiles):
         shutil.rmtree(self.path("plan"))
         self.plan("noisy.ply", "plan", "1500")
         self.assertEqual(self.bytes_of("plan/plan.json"), plan)
-        workers = [subprocess.Popen([PROGRAM, "tiles", "run", "plan", "--tile", str(tile), "--threads", str(1 + tile % 3),
-                                     "--quiet"], cwd=self.folder) for tile in reversed(range(0, count, 2))]
-        self.assertEqual({worker.wait() for worker in workers}, {0})
-        self.run_tool("tiles", "run", "plan", "--all")
-        self.run_tool("tiles", "finish", "plan", "second.ply")
-        self.assertEqual(self.bytes_of("first.ply"), self.bytes_of("second.ply"))
+        self.expect_by_workers("first.ply")
         self.assertEqual(sorted(os.listdir(self.path("plan"))),
                          sorted(["plan.json", *(f"{kind}_{i}" for kind in ("bucket", "result") for i in range(count))]))
 

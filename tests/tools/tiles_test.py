@@ -52,6 +52,15 @@ class Tiles(CommandLine):
             else:
                 self.assertEqual(pieces[name], value, name)
 
+    def expect_by_workers(self, expected):
+        """The plan's result where half of the pieces are run side by side, last first, and then the others."""
+        workers = [subprocess.Popen([PROGRAM, "tiles", "run", "plan", "--tile", str(tile), "--threads", str(1 + tile % 3),
+                                     "--quiet"], cwd=self.folder) for tile in reversed(range(0, len(self.pieces()), 2))]
+        self.assertEqual({worker.wait() for worker in workers}, {0})
+        self.run_tool("tiles", "run", "plan", "--all")
+        self.run_tool("tiles", "finish", "plan", "by_workers.ply")
+        self.assertEqual(self.bytes_of("by_workers.ply"), self.bytes_of(expected))
+
 
 class SameResult(Tiles):
     def check(self, shape, vertices, *options):
@@ -161,15 +170,9 @@ class Determinism(Tiles):
     def test_order_workers_and_restart_make_no_difference(self):
         self.noisy("cad_part", "12000")
         self.in_pieces("noisy.ply", "first.ply", "1500")
-        count = len(self.pieces())
         shutil.rmtree(self.path("plan"))
         self.plan("noisy.ply", "plan", "1500")
-        workers = [subprocess.Popen([PROGRAM, "tiles", "run", "plan", "--tile", str(tile), "--threads", str(1 + tile % 3),
-                                     "--quiet"], cwd=self.folder) for tile in reversed(range(0, count, 2))]
-        self.assertEqual({worker.wait() for worker in workers}, {0})
-        self.run_tool("tiles", "run", "plan", "--all")
-        self.run_tool("tiles", "finish", "plan", "second.ply")
-        self.assertEqual(self.bytes_of("first.ply"), self.bytes_of("second.ply"))
+        self.expect_by_workers("first.ply")
 
 
 class Mishaps(Tiles):
@@ -313,11 +316,7 @@ class FullDisk(Tiles):
 
     def setUp(self):
         super().setUp()
-        self.namespace = ["unshare", "--mount", "--map-root-user"] if os.geteuid() != 0 else ["unshare", "--mount"]
-        if subprocess.run([*self.namespace, "mount", "-t", "tmpfs", "none", self.folder], check=False,
-                          capture_output=True).returncode != 0:
-            self.skipTest("needs the right to mount a file system of its own")
-        os.mkdir(self.path("small"))
+        self.namespace = self.mount_namespace()
         self.noisy("cad_part", "12000")
 
     def run_script(self, size, *lines):

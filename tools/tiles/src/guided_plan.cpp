@@ -82,10 +82,15 @@ void measure_noise(const PieceReader& reader, Plan& plan, const Stage& stage) {
   plan.guided->noise = file.mean(*plan.guided, plan.average_edge_length);
 }
 
+/// Some spots of the mesh with their surroundings.
+Piece read_sample(const PieceReader& reader, const Plan& plan, std::size_t sample_vertices) {
+  const double reach = median_reach * plan.average_edge_length;
+  return reader.read(median_sample(plan, reach, sample_vertices), reach);
+}
+
 /// Looks for correlated noise on a sample of the mesh.
 void measure_correlated_noise(const PieceReader& reader, Plan& plan, std::size_t sample_vertices, const Stage& stage) {
-  const double reach = median_reach * plan.average_edge_length;
-  Piece sample = reader.read(median_sample(plan, reach, sample_vertices), reach);
+  Piece sample = read_sample(reader, plan, sample_vertices);
   if (sample.face.empty()) return;
   plan.guided->noise = vcg_core::correlated_noise(view_of(sample, plan), stage.part(0, 1), plan.job.parameters.threads);
   plan.guided->correlated = plan.guided->noise > 0;
@@ -93,18 +98,17 @@ void measure_correlated_noise(const PieceReader& reader, Plan& plan, std::size_t
 
 /// The medians of the rounds: about, from a sample; then, unless that is all of the mesh, by the values of all pieces.
 void measure_medians(const PieceReader& reader, Plan& plan, std::size_t sample_vertices, const Stage& stage) {
-  const double reach = median_reach * plan.average_edge_length;
   const vcg_core::SmoothingParameters& parameters = plan.job.parameters;
   const Stage of_sample = stage.inner(0, 0.1), of_all = stage.inner(0.1, 1);
   {
-    Piece sample = reader.read(median_sample(plan, reach, sample_vertices), reach);
+    Piece sample = read_sample(reader, plan, sample_vertices);
     plan.guided->medians = vcg_core::guided_medians(view_of(sample, plan), parameters, of_sample.part(0, 1));
     if (sample.own_index.size() == plan.vertices) return;
   }
   std::vector<vcg_core::ValueCounts> counts;
   for (std::size_t tile = 0; tile < plan.tiles(); ++tile) {
     const double part = 1 / static_cast<double>(plan.tiles());
-    Piece piece = reader.read(tile, reach);
+    Piece piece = reader.read(tile, median_reach * plan.average_edge_length);
     if (piece.face.empty()) continue;
     vcg_core::count_guided_values(view_of(piece, plan), parameters, counts,
                                   of_all.part(part * static_cast<double>(tile), part * static_cast<double>(tile + 1)));

@@ -7,49 +7,38 @@
 #include <string>
 
 #include "fail.h"
+#include "io/binary.h"
 #include "io/formats.h"
 #include "io/ply_roles.h"
 
 namespace tiles {
 namespace {
 
+using mesh_tools::io::number_at;
 using mesh_tools::io::PlyLayout;
 using Type = PlyLayout::Type;
 
-template <class Number>
-Number load(const char* raw, bool swapped) {
-  char bytes[sizeof(Number)];
-  std::memcpy(bytes, raw, sizeof bytes);
-  if (swapped) std::reverse(bytes, bytes + sizeof bytes);
-  Number number;
-  std::memcpy(&number, bytes, sizeof number);
-  return number;
-}
-
 template <class Real>
 void store(char* raw, double value, bool swapped) {
-  const Real before = load<Real>(raw, swapped), now = static_cast<Real>(value);
+  const Real before = number_at<Real>(raw, swapped), now = static_cast<Real>(value);
   if (before == now) return;  // 0 and -0 have other bytes
-  char bytes[sizeof(Real)];
-  std::memcpy(bytes, &now, sizeof bytes);
-  if (swapped) std::reverse(bytes, bytes + sizeof bytes);
-  std::memcpy(raw, bytes, sizeof bytes);
+  mesh_tools::io::put_number(raw, now, swapped);
 }
 
 std::int64_t whole_number(const char* raw, Type type, bool swapped) {
   switch (type) {
     case Type::int8:
-      return load<std::int8_t>(raw, false);
+      return number_at<std::int8_t>(raw, false);
     case Type::uint8:
-      return load<std::uint8_t>(raw, false);
+      return number_at<std::uint8_t>(raw, false);
     case Type::int16:
-      return load<std::int16_t>(raw, swapped);
+      return number_at<std::int16_t>(raw, swapped);
     case Type::uint16:
-      return load<std::uint16_t>(raw, swapped);
+      return number_at<std::uint16_t>(raw, swapped);
     case Type::int32:
-      return load<std::int32_t>(raw, swapped);
+      return number_at<std::int32_t>(raw, swapped);
     case Type::uint32:
-      return load<std::uint32_t>(raw, swapped);
+      return number_at<std::uint32_t>(raw, swapped);
     default:
       return -1;  // no count and no index
   }
@@ -59,7 +48,7 @@ std::int64_t whole_number(const char* raw, Type type, bool swapped) {
 
 double RowPlace::coordinate(const char* row, std::size_t axis) const {
   const char* const raw = row + offset[axis];
-  return in_double[axis] ? load<double>(raw, swapped) : static_cast<double>(load<float>(raw, swapped));
+  return in_double[axis] ? number_at<double>(raw, swapped) : static_cast<double>(number_at<float>(raw, swapped));
 }
 
 void RowPlace::put(char* row, std::size_t axis, double value) const {

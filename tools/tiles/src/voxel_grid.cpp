@@ -73,13 +73,13 @@ void thin_out(std::vector<Point>& points, std::size_t wanted) {
 
 /// From cells that are spread evenly over the tiles.
 vcg_core::VoxelGridSample sample_cells(const Plan& plan) {
-  constexpr std::size_t wanted_vertices = 4096, wanted_normals = 65536;
   std::size_t cells = 0;
   for (std::size_t tile = 0; tile < plan.tiles(); ++tile)
     cells += BucketFile(plan.bucket_path(tile), plan.real_size).cells();
   const double in_cell = static_cast<double>(plan.faces) / static_cast<double>(std::max<std::size_t>(1, cells));
-  const auto stride = static_cast<std::size_t>(
-      std::max(1.0, static_cast<double>(cells) * std::max(1.0, in_cell) / static_cast<double>(wanted_normals)));
+  const auto stride =
+      static_cast<std::size_t>(std::max(1.0, static_cast<double>(cells) * std::max(1.0, in_cell) /
+                                                 static_cast<double>(vcg_core::VoxelGridSample::usual_normals)));
   GridSampler sampler(plan.real_size);
   std::size_t at = 0;
   for (std::size_t tile = 0; tile < plan.tiles(); ++tile) {
@@ -91,7 +91,7 @@ vcg_core::VoxelGridSample sample_cells(const Plan& plan) {
       sampler.add(part);
     }
   }
-  thin_out(sampler.sample.vertices, wanted_vertices);
+  thin_out(sampler.sample.vertices, vcg_core::VoxelGridSample::usual_vertices);
   return std::move(sampler.sample);
 }
 

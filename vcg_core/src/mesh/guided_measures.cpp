@@ -8,6 +8,7 @@
 #include "filters/guided/correlated_noise.h"
 #include "filters/guided/guided_filter.h"
 #include "filters/guided/noise_estimate.h"
+#include "filters/guided/told_whole.h"
 #include "filters/guided/voxel_stairs.h"
 #include "held_vertices.h"
 #include "job.h"
@@ -26,6 +27,12 @@ std::vector<detail::Vec3> vectors(const std::vector<std::array<double, 3>>& rows
   return result;
 }
 
+detail::MeshArrays read_told(const MeshView& view, detail::Job& job) {
+  detail::MeshArrays mesh = detail::read_mesh(view, job);
+  if (detail::told_whole(mesh) == nullptr) throw InvalidParameter("nothing is told of the whole mesh");
+  return mesh;
+}
+
 }  // namespace
 
 std::optional<VoxelGrid> find_voxel_grid(const VoxelGridSample& sample, double average_edge_length,
@@ -39,8 +46,7 @@ unsigned voxel_levels(const std::array<double, 3>& point, const VoxelGrid& grid)
 
 NoiseOfPiece noise_of_piece(const MeshView& piece, const Progress& progress, int threads) {
   detail::Job job(progress, threads);
-  const detail::MeshArrays mesh = detail::read_mesh(piece, job);
-  if (!detail::is_told(mesh)) throw InvalidParameter("nothing is told of the whole mesh");
+  const detail::MeshArrays mesh = read_told(piece, job);
   job.begin_stage(measuring, 1);
   detail::FaceGeometry faces;
   faces.measure(mesh, mesh.position, job);
@@ -78,8 +84,7 @@ double MeanNoise::value() const {
 
 double correlated_noise(const MeshView& sample, const Progress& progress, int threads) {
   detail::Job job(progress, threads);
-  const detail::MeshArrays mesh = detail::read_mesh(sample, job);
-  if (!detail::is_told(mesh)) throw InvalidParameter("nothing is told of the whole mesh");
+  const detail::MeshArrays mesh = read_told(sample, job);
   job.begin_stage(measuring, 1);
   const double noise = detail::correlated_noise_of(mesh, job);
   job.finish();
@@ -92,8 +97,7 @@ std::vector<double> run_for_medians(const MeshView& view, const SmoothingParamet
                                     std::vector<ValueCounts>* counts, const Progress& progress) {
   parameters.validate(Method::guided);
   detail::Job job(progress, parameters.threads);
-  const detail::MeshArrays mesh = detail::read_mesh(view, job);
-  if (!detail::is_told(mesh)) throw InvalidParameter("nothing is told of the whole mesh");
+  const detail::MeshArrays mesh = read_told(view, job);
   job.begin_stage(measuring, 1);
   detail::Array<std::uint8_t> movable(mesh.size());
   for (std::size_t v = 0; v < movable.size(); ++v)

@@ -20,8 +20,10 @@ namespace vcg_core {
 // correlated noise if there is no other, the medians. Functions that get a view throw as smooth() does, and
 // InvalidParameter if `guided` is not there.
 
-/// Some vertices of a mesh and some normals of its faces, taken evenly from all of it: about 4096 and 65536, or all.
+/// Some vertices of a mesh and some normals of its faces, taken evenly from all of it: about as many as here, or all.
 struct VoxelGridSample {
+  static constexpr std::size_t usual_vertices = 4096, usual_normals = 65536;
+
   std::vector<std::array<double, 3>> vertices, normals;
 };
 

@@ -56,17 +56,17 @@ Residual residual_of_trial(const PassInput& input) {
 }
 
 /// Standard deviation of the noise of which a filter has removed this much: where neighbours agree, the less.
-double whole_deviation(const ResidualStatistics& residual, double correlation) {
-  return std::sqrt(residual.variance) / (1 - 0.75 * correlation * correlation);
+double whole_deviation(const ResidualStatistics& residual) {
+  return std::sqrt(residual.variance) / (1 - 0.75 * residual.correlation * residual.correlation);
 }
 
 }  // namespace
 
-double trust_in(const ResidualStatistics& residual, const ResidualStatistics& noise) {
+double trust_in(const ResidualStatistics& residual, const ResidualSpread& noise) {
   return ramp(residual.kurtosis, kurtosis_from, kurtosis_full) * ramp(residual.kurtosis, kurtosis_none, kurtosis_to) *
          ramp(std::abs(residual.skewness), skewness_none, skewness_to) *
-         ramp(residual.unevenness / noise.unevenness, unevenness_none, unevenness_to) *
-         ramp(residual.wide / noise.wide, wide_none, wide_to);
+         ramp(residual.spread.unevenness / noise.unevenness, unevenness_none, unevenness_to) *
+         ramp(residual.spread.wide / noise.wide, wide_none, wide_to);
 }
 
 NoiseEstimate find_correlated_noise(const PassInput& input) {
@@ -76,11 +76,10 @@ NoiseEstimate find_correlated_noise(const PassInput& input) {
   if (!(enough > 0) || is_smooth(input)) return even_noise(input.mesh, 0);
   const Residual residual = residual_of_trial(input);
   const RingMeans rings(input.mesh, input.job);
-  const double correlation = correlation_of(rings, residual, input.job);
   const ResidualStatistics of = statistics_of(rings, residual, input.job);
   if (!(of.variance > 0)) return even_noise(input.mesh, 0);
-  const ResidualStatistics noise = statistics_of_noise(rings, residual.seen, correlation, input.job);
-  NoiseEstimate found = even_noise(input.mesh, enough * trust_in(of, noise) * whole_deviation(of, correlation));
+  const ResidualSpread noise = spread_of_noise(rings, residual.seen, of.correlation, input.job);
+  NoiseEstimate found = even_noise(input.mesh, enough * trust_in(of, noise) * whole_deviation(of));
   found.correlated = true;
   return found;
 }

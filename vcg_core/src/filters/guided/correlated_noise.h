@@ -19,8 +19,8 @@ NoiseEstimate find_correlated_noise(const PassInput& input);
 /// The same where all vertices with faces may move.
 double correlated_noise_of(const MeshArrays& mesh, Job& job);
 
-/// How far a residual is noise, from 0 to 1, when `noise` is what low-passed white noise of the same correlation would
-/// be on the same mesh. The product of four factors:
+/// How far a residual is noise, from 0 to 1, when `noise` is the spread that low-passed white noise of the same
+/// correlation would be on the same mesh. The product of four factors:
 ///
 /// - kurtosis is 3 for noise; details are few and high, waves and threads too regular;
 /// - skewness is 0 for noise; details stand out to one side;
@@ -28,6 +28,6 @@ double correlated_noise_of(const MeshArrays& mesh, Job& job);
 /// - a wide low-pass leaves less of it than half of what it leaves of noise, as the filter leaves wide waves on the
 /// mesh,
 ///   but not what is wide about details.
-double trust_in(const ResidualStatistics& residual, const ResidualStatistics& noise);
+double trust_in(const ResidualStatistics& residual, const ResidualSpread& noise);
 
 }  // namespace vcg_core::detail

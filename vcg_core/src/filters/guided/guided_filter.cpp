@@ -2,7 +2,6 @@
 #include "guided_filter.h"
 
 #include <iomanip>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "displacement_limit.h"
 #include "filter_run.h"
 #include "job.h"
+#include "told_whole.h"
 
 namespace vcg_core::detail {
 
@@ -36,6 +36,14 @@ PassOutput unchanged(const PassInput& input) {
   return output;
 }
 
+/// Share of the stage at which the trial ends, if there is one.
+constexpr double trial_end = 0.5;
+
+NoiseEstimate try_for_correlated_noise(const PassInput& input) {
+  const StagePart trial(input.job, 0, trial_end);
+  return find_correlated_noise(input);
+}
+
 PassOutput hold_to_limits(const PassInput& input, const GuidedSettings& settings, const NoiseEstimate& estimate,
                           const Array<Vec3>& normal, Array<Vec3> position) {
   const Array<double> limit =
@@ -52,27 +60,29 @@ PassOutput hold_to_limits(const PassInput& input, const GuidedSettings& settings
   return output;
 }
 
+PassOutput run_within_limits(const PassInput& input, const GuidedSettings& settings, CoarseRounds& coarse) {
+  FilterRun run = run_filter(input, settings, coarse);
+  return hold_to_limits(input, settings, coarse.estimate(), run.normal, std::move(run.position));
+}
+
 }  // namespace
 
 PassOutput guided_pass(const PassInput& input, const GuidedSettings& settings) {
-  std::optional<CoarseRounds> coarse(std::in_place, input, settings);
-  std::optional<StagePart> part;
-  if (!(coarse->noise() > 0) && !is_told(input.mesh)) {
-    coarse.reset();
-    part.emplace(input.job, 0.0, 0.5);
-    NoiseEstimate correlated = find_correlated_noise(input);
-    part.reset();
-    part.emplace(input.job, 0.5, 1.0);
-    coarse.emplace(input, settings, std::move(correlated));
+  {
+    CoarseRounds coarse(input, settings);
+    if (coarse.noise() > 0) return run_within_limits(input, settings, coarse);
   }
-  if (!(coarse->noise() > 0)) return unchanged(input);
-  FilterRun run = run_filter(input, settings, *coarse);
-  return hold_to_limits(input, settings, coarse->estimate(), run.normal, std::move(run.position));
+  if (told_whole(input.mesh) != nullptr) return unchanged(input);
+  NoiseEstimate correlated = try_for_correlated_noise(input);
+  if (!(correlated.mean > 0)) return unchanged(input);
+  const StagePart rest(input.job, trial_end, 1);
+  CoarseRounds coarse(input, settings, std::move(correlated));
+  return run_within_limits(input, settings, coarse);
 }
 
 std::vector<double> medians_of_guided_pass(const PassInput& input, const GuidedSettings& settings,
                                            std::vector<ValueCounts>* counts) {
-  CoarseRounds coarse(input, settings, told_noise(input.mesh), counts);
+  CoarseRounds coarse(input, settings, told_noise(*told_whole(input.mesh)), counts);
   if (!(coarse.noise() > 0)) return {};
   if (settings.blend) {
     coarse.run();

@@ -9,6 +9,7 @@
 #include "job.h"
 #include "ramp.h"
 #include "ring_heights.h"
+#include "told_whole.h"
 #include "voxel_stairs.h"
 
 namespace vcg_core::detail {
@@ -157,10 +158,7 @@ GuidedWhole::Testimony named(const Testimony& t) {
 
 }  // namespace
 
-bool is_told(const MeshArrays& mesh) { return mesh.whole && mesh.whole->guided; }
-
-NoiseEstimate told_noise(const MeshArrays& mesh) {
-  const GuidedWhole& whole = *mesh.whole->guided;
+NoiseEstimate told_noise(const GuidedWhole& whole) {
   const bool clear = whole.grid || whole.correlated;
   return {{}, whole.noise, clear ? 1 : NoiseByWhole(whole.testimony).evidence(), whole.correlated};
 }
@@ -217,10 +215,11 @@ NoiseSeen look_for_noise(const MeshArrays& mesh, const RingMeans& rings, const A
 
 NoiseEstimate estimate_noise(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position,
                              const FaceGeometry& faces, Job& job) {
-  if (is_told(mesh) && mesh.whole->guided->correlated) {
-    NoiseEstimate told = even_noise(mesh, mesh.whole->guided->noise);
-    told.correlated = true;
-    return told;
+  const GuidedWhole* const told = told_whole(mesh);
+  if (told != nullptr && told->correlated) {
+    NoiseEstimate noise = even_noise(mesh, told->noise);
+    noise.correlated = true;
+    return noise;
   }
   NoiseSeen seen = look_for_noise(mesh, rings, position, faces, job);
   NoiseEstimate noise;
@@ -228,7 +227,7 @@ NoiseEstimate estimate_noise(const MeshArrays& mesh, const RingMeans& rings, con
     noise.deviation = std::move(seen.of_stairs);
     noise.evidence = 1;
   } else {
-    const NoiseByWhole whole(is_told(mesh) ? mesh.whole->guided->testimony : seen.testimony);
+    const NoiseByWhole whole(told != nullptr ? told->testimony : seen.testimony);
     noise.evidence = whole.evidence();
     noise.deviation.resize(mesh.size());
     job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
@@ -237,7 +236,7 @@ NoiseEstimate estimate_noise(const MeshArrays& mesh, const RingMeans& rings, con
           noise.deviation[v] = std::sqrt(whole.variance(seen.variance[v], seen.near_by[v], seen.confidence[v]));
     });
   }
-  noise.mean = is_told(mesh) ? mesh.whole->guided->noise : root_mean_square(noise.deviation, job);
+  noise.mean = told != nullptr ? told->noise : root_mean_square(noise.deviation, job);
   return noise;
 }
 

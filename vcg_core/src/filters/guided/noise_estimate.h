@@ -38,11 +38,8 @@ NoiseEstimate even_noise(const MeshArrays& mesh, double deviation);
 NoiseEstimate estimate_noise(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position,
                              const FaceGeometry& faces, Job& job);
 
-/// Whether the mesh is a piece that is told of the whole what the guided filter has to know.
-bool is_told(const MeshArrays& mesh);
-
-/// What it is told of the noise: all but the deviations, which are left empty.
-NoiseEstimate told_noise(const MeshArrays& mesh);
+/// What a piece is told of the noise: all but the deviations, which are left empty.
+NoiseEstimate told_noise(const GuidedWhole& whole);
 
 /// What is seen around each vertex, which counts as far as the whole mesh bears it out.
 struct NoiseSeen {

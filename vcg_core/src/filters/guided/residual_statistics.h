@@ -15,24 +15,27 @@ struct Residual {
   const Array<std::uint8_t>& seen;  ///< by vertex: whether it was free to move; others do not count
 };
 
-/// What tells noise from shape in a residual r.
+/// How a residual r is spread over the mesh and its waves.
+struct ResidualSpread {
+  /// Standard deviation of the energy of r around a vertex, some seven edges wide, over its mean.
+  double unevenness = 0;
+  /// Share of the variance that is left after a low-pass over some six edges.
+  double wide = 0;
+};
+
+/// What tells noise from shape in a residual r. All 0 where r is 0 everywhere.
 struct ResidualStatistics {
-  double variance = 0;  ///< mean of r^2
-  double kurtosis = 0;  ///< mean of r^4 over that of r^2 squared; as the next 0 where r is 0 everywhere
-  double skewness = 0;  ///< mean of r^3 over that of r^2 to the power of 3/2
-  double unevenness =
-      0;            ///< standard deviation of the energy of r around a vertex, some seven edges wide, over its mean
-  double wide = 0;  ///< share of the variance that is left after a low-pass over some six edges
+  double variance = 0;     ///< mean of r^2
+  double skewness = 0;     ///< mean of r^3 over that of r^2 to the power of 3/2
+  double kurtosis = 0;     ///< mean of r^4 over that of r^2 squared
+  double correlation = 0;  ///< of a vertex with the mean of its ring
+  ResidualSpread spread;
 };
 
 ResidualStatistics statistics_of(const RingMeans& rings, const Residual& residual, Job& job);
 
-/// Correlation of a vertex with the mean of its ring; 0 where r is 0 everywhere.
-double correlation_of(const RingMeans& rings, const Residual& residual, Job& job);
-
-/// The statistics that white noise on this mesh has when it has been low-passed until its correlation is the given one.
+/// The spread that white noise on this mesh has when it has been low-passed until its correlation is the given one.
 /// Always the same.
-ResidualStatistics statistics_of_noise(const RingMeans& rings, const Array<std::uint8_t>& seen, double correlation,
-                                       Job& job);
+ResidualSpread spread_of_noise(const RingMeans& rings, const Array<std::uint8_t>& seen, double correlation, Job& job);
 
 }  // namespace vcg_core::detail

@@ -10,7 +10,10 @@
 
 #include <Eigen/Geometry>
 
+#include <vcg_core/mesh/guided_measures.h>
+
 #include "job.h"
+#include "told_whole.h"
 
 namespace vcg_core::detail {
 
@@ -163,9 +166,9 @@ std::optional<VoxelGrid> grid_along(const Axes& axes, const GridSample& sample, 
 std::optional<VoxelGrid> find_grid(const MeshArrays& mesh, const FaceGeometry& faces, Job& job) {
   if (mesh.size() < least_vertices) return std::nullopt;
   GridSample sample;
-  const std::size_t to_vertex = sample_stride(mesh.size(), sampled_vertices);
+  const std::size_t to_vertex = std::max<std::size_t>(1, mesh.size() / VoxelGridSample::usual_vertices);
   for (std::size_t v = 0; v < mesh.size(); v += to_vertex) sample.position.push_back(mesh.position[v]);
-  const std::size_t to_face = sample_stride(faces.normal.size(), averaged_faces);
+  const std::size_t to_face = std::max<std::size_t>(1, faces.normal.size() / VoxelGridSample::usual_normals);
   for (std::size_t f = 0; f < faces.normal.size(); f += to_face) sample.normal.push_back(faces.normal[f]);
   return find_voxel_grid(sample, mesh.topology.average_edge_length, [&](const VoxelGrid& grid) {
     ParityCounts counts{};
@@ -205,8 +208,8 @@ std::optional<VoxelGrid> find_voxel_grid(const GridSample& sample, double edge_l
 }
 
 std::optional<VoxelStairs> find_voxel_stairs(const MeshArrays& mesh, const FaceGeometry& faces, Job& job) {
-  const bool is_told = mesh.whole && mesh.whole->guided;
-  const std::optional<VoxelGrid> grid = is_told ? mesh.whole->guided->grid : find_grid(mesh, faces, job);
+  const GuidedWhole* const told = told_whole(mesh);
+  const std::optional<VoxelGrid> grid = told != nullptr ? told->grid : find_grid(mesh, faces, job);
   if (!grid) return std::nullopt;
   VoxelStairs stairs;
   for (std::size_t k = 0; k < 3; ++k) {

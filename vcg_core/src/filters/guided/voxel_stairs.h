@@ -36,13 +36,6 @@ struct GridSample {
   std::vector<Vec3> position, normal;
 };
 
-/// Of so many vertices, and of so many faces, a sample takes about, all of them evenly.
-constexpr std::size_t sampled_vertices = 4096;
-constexpr std::size_t averaged_faces = 65536;
-constexpr std::size_t sample_stride(std::size_t count, std::size_t wanted) {
-  return count < wanted ? 1 : count / wanted;
-}
-
 /// Which levels of a grid a vertex is on: bit k tells whether it is an odd one along axis k.
 unsigned parity_at(const Vec3& position, const VoxelGrid& grid);
 /// It is not on levels.

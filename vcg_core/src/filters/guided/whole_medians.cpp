@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "median.h"
+#include "told_whole.h"
 
 namespace vcg_core::detail {
 
@@ -21,7 +22,8 @@ Array<double> only(const Array<double>& value, const Counts& counts) {
 
 /// The medians that a piece is told; null: none.
 const std::vector<double>* told_medians(const MeshArrays& mesh) {
-  return mesh.whole && mesh.whole->guided ? &mesh.whole->guided->medians : nullptr;
+  const GuidedWhole* const told = told_whole(mesh);
+  return told != nullptr ? &told->medians : nullptr;
 }
 
 }  // namespace

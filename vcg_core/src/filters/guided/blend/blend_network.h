@@ -30,6 +30,12 @@ constexpr std::size_t values_in(const std::size_t (&sizes)[NetworkTable::layers 
   return count;
 }
 
+/// A table whose numbers stand in an array.
+template <std::size_t Count>
+NetworkTable network_table(const std::size_t (&sizes)[NetworkTable::layers + 1], const std::int16_t (&value)[Count]) {
+  return {{sizes[0], sizes[1], sizes[2], sizes[3]}, value, Count};
+}
+
 /// Fletcher's checksum of a table, for damage that a compiler can see.
 constexpr std::uint32_t checksum(const std::int16_t* value, std::size_t count) {
   std::uint32_t low = 1, high = 0;

@@ -529,13 +529,8 @@ static_assert(checksum(second_stage, std::size(second_stage)) == 976033389U, "se
 }  // namespace
 
 const BlendWeights& white_noise_weights() {
-  static const BlendWeights weights{
-      {{first_stage_sizes[0], first_stage_sizes[1], first_stage_sizes[2], first_stage_sizes[3]},
-       first_stage,
-       std::size(first_stage)},
-      {{second_stage_sizes[0], second_stage_sizes[1], second_stage_sizes[2], second_stage_sizes[3]},
-       second_stage,
-       std::size(second_stage)}};
+  static const BlendWeights weights{network_table(first_stage_sizes, first_stage),
+                                    network_table(second_stage_sizes, second_stage)};
   return weights;
 }
 
