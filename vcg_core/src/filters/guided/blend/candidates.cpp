@@ -131,6 +131,12 @@ void add_scalars(const CoarseResult& coarse, Job& job, Candidates& candidates) {
 
 using Pair = std::array<std::size_t, 2>;
 
+/// Not Eigen's norm: on ARM that adds three floats in another order, which ends in other bits.
+float distance(const Vec3f& a, const Vec3f& b) {
+  const Vec3f d = a - b;
+  return std::sqrt(d[0] * d[0] + (d[1] * d[1] + d[2] * d[2]));
+}
+
 /// Differences between candidates around the face, which tell more of noise and shape than those at the face alone.
 /// Some at a time, so that they take little memory.
 void add_context(const NeighbourhoodMean& mean, const std::vector<Pair>& pairs, Job& job, Candidates& candidates) {
@@ -142,7 +148,7 @@ void add_context(const NeighbourhoodMean& mean, const std::vector<Pair>& pairs, 
       difference[f].setZero();
       for (std::size_t p = 0; p < count; ++p) {
         const auto [a, b] = pairs[first + p];
-        difference[f][static_cast<int>(p)] = (candidates.normal[a][f] - candidates.normal[b][f]).norm();
+        difference[f][static_cast<int>(p)] = distance(candidates.normal[a][f], candidates.normal[b][f]);
       }
     });
     difference = mean.of_values(std::move(difference));
