@@ -23,6 +23,11 @@ function(aniso_target_defaults target)
     # Products and sums are fused where the code says so and nowhere else: compilers differ in where they would.
     target_compile_options(${target} PRIVATE -ffp-contract=off)
   endif()
+  if(MINGW AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    # The linker keeps one of the copies of an inline function that GCC has changed for its callers in each file, by name
+    # alone, though they take other arguments and use other registers.
+    target_compile_options(${target} PRIVATE -fno-ipa-sra -fno-ipa-cp-clone -fno-partial-inlining -fno-ipa-ra)
+  endif()
   if(WIN32)  # no macros min and max; M_PI, which vcglib uses
     target_compile_definitions(${target} PRIVATE NOMINMAX WIN32_LEAN_AND_MEAN _USE_MATH_DEFINES)
   endif()
