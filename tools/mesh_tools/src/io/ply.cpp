@@ -14,6 +14,7 @@
 
 #include "colors.h"
 #include "formats.h"
+#include "large_pages.h"
 #include "ply_data.h"
 #include "ply_layout.h"
 #include "ply_roles.h"
@@ -270,7 +271,8 @@ class PlyReader {
     FlatMesh& mesh = file_.mesh;
     RawColors wide;
     std::size_t too_small = 0;
-    mesh.face.reserve(std::min(element.count, data_.most_rows(element, &*list, 3)));  // the header may say too much
+    // The header may say too much.
+    reserve_in_large_pages(mesh.face, std::min(element.count, data_.most_rows(element, &*list, 3)));
     if (roles.has(Role::nx) || roles.has(Role::ny) || roles.has(Role::nz))
       mesh.face_normal = Points(precision_of(element, roles, is_normal));
     data_.expect_triangles(element);

@@ -4,6 +4,7 @@
 #include <mesh_tools/mesh_io.h>
 
 #include "formats.h"
+#include "large_pages.h"
 
 namespace mesh_tools {
 namespace {
@@ -26,8 +27,10 @@ SourceFile::SourceFile(const std::filesystem::path& path)
 }
 
 std::string SourceFile::read() const {
+  const std::size_t size = file_.state().size;
   std::string bytes;
-  bytes.resize(file_.state().size);
+  io::reserve_in_large_pages(bytes, size);
+  bytes.resize(size);
   const auto got = as_file_error(path(), [&] { return file_.read(0, bytes.data(), bytes.size()); });
   if (got != bytes.size()) io::fail(path(), "could not be read to its end");
   return bytes;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "formats.h"
+#include "large_pages.h"
 #include "text.h"
 #include "vertex_merger.h"
 
@@ -120,7 +121,7 @@ void build(const Facets& facets, const std::filesystem::path& path, FlatMesh& me
     fail(path,
          "has " + std::to_string(facets.size()) + " facets; at most " + std::to_string(most_facets) + " can be read");
   VertexMerger merger(3 * facets.size(), mesh.position);
-  mesh.face.reserve(facets.size());
+  reserve_in_large_pages(mesh.face, facets.size());
   constexpr std::size_t largest_block = VertexMerger::largest_block / 3;
   vcg::Point3f corner[3 * largest_block];
   std::uint32_t vertex[3 * largest_block];

@@ -9,6 +9,8 @@
 
 #include <mesh_tools/flat_mesh.h>
 
+#include "large_pages.h"
+
 namespace mesh_tools::io {
 
 /// Gives triangles common vertices: corners at exactly the same place become one vertex, in the order of the file.
@@ -27,6 +29,7 @@ class VertexMerger {
     while (room < corners / 3) room *= 2;
     make_room(room);
     places_.reserve(corners / 6 + 8);
+    wish_for_large_pages(places_.floats(), (corners / 6 + 8) * 3 * sizeof(float));
   }
 
   /// Finds the vertices of corners, at most `largest_block`.
@@ -90,7 +93,9 @@ class VertexMerger {
   const float* place_of(std::uint32_t vertex) const { return places_.floats() + 3 * static_cast<std::size_t>(vertex); }
 
   void make_room(std::size_t room) {
-    slot_.assign(room, Slot{0, 0});
+    slot_ = {};
+    reserve_in_large_pages(slot_, room);
+    slot_.resize(room);
     shift_ = 64;
     for (; room > 1; room /= 2) --shift_;
   }

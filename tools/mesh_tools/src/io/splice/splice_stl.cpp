@@ -23,21 +23,27 @@ using Numbers = std::array<float, 12>;  // of a facet: its normal, its corners
 
 constexpr std::size_t floats = std::tuple_size_v<Numbers>;
 
-/// What a facet becomes. The normal stays where no corner moves, and where the facet has no direction.
+/// What a facet becomes. Numbers that are the same stay as they are: 0 and -0 have other bytes. The normal stays where no
+/// corner moves, and where the facet has no direction.
 Numbers moved_facet(const Numbers& before, const FlatMesh& mesh, std::size_t face) {
   Numbers now = before;
   bool moved = false;
+  const auto replace = [&](std::size_t i, double by) {
+    const auto number = static_cast<float>(by);
+    const bool same = is_same_number(before[i], number);
+    now[i] = same ? before[i] : number;
+    moved |= !same;
+  };
   Point3d corner[3];
-  for (std::size_t k = 0; k < 3; ++k) corner[k] = mesh.position[mesh.face[face][k]];
-  for (std::size_t i = 3; i < floats; ++i) {
-    const double coordinate = corner[i / 3 - 1][static_cast<int>(i % 3)];
-    now[i] = static_cast<float>(coordinate);
-    moved |= !is_same_number(before[i], now[i]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    corner[k] = mesh.position[mesh.face[face][k]];
+    for (std::size_t i = 0; i < 3; ++i) replace(3 + 3 * k + i, corner[k][static_cast<int>(i)]);
   }
+  if (!moved) return now;
   const Point3d normal = (corner[1] - corner[0]) ^ (corner[2] - corner[0]);
   const double length = normal.Norm();
-  if (moved && length > 0 && std::isfinite(length))
-    for (int k = 0; k < 3; ++k) now[static_cast<std::size_t>(k)] = static_cast<float>(normal[k] / length);
+  if (length > 0 && std::isfinite(length))
+    for (std::size_t i = 0; i < 3; ++i) replace(i, normal[static_cast<int>(i)] / length);
   return now;
 }
 
@@ -57,9 +63,7 @@ std::string splice_binary(std::string bytes, std::size_t facets, const SpliceInp
     reverse_on_big_endian(raw);
     Numbers before;
     std::memcpy(before.data(), raw, sizeof raw);
-    Numbers now = moved_facet(before, mesh, f);
-    for (std::size_t i = 0; i < floats; ++i)
-      if (is_same_number(before[i], now[i])) now[i] = before[i];  // 0 and -0 have other bytes
+    const Numbers now = moved_facet(before, mesh, f);
     std::memcpy(raw, now.data(), sizeof raw);
     reverse_on_big_endian(raw);
     std::memcpy(at, raw, sizeof raw);

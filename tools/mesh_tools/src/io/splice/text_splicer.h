@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "../large_pages.h"
+
 namespace mesh_tools::io {
 
 /// Whether two numbers need no telling apart in a file.
@@ -18,7 +20,7 @@ bool is_same_number(Number a, Number b) {
 class TextSplicer {
  public:
   /// The text is referred to, not copied.
-  explicit TextSplicer(std::string_view text) : text_(text) { result_.reserve(text.size()); }
+  explicit TextSplicer(std::string_view text) : text_(text) { reserve_in_large_pages(result_, text.size()); }
 
   /// @param word  a part of the text, behind all that were replaced before
   void replace(std::string_view word, std::string_view by) {
