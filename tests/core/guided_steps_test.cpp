@@ -110,16 +110,21 @@ TEST_F(GuidedSteps, FilteredNormalsAreTheWeightedMean) {
   const Array<Vec3> guide = guide_normals(mesh, around, across, faces, faces.normal, GuidedSettings{}, medians, job);
   const Array<Vec3> filtered =
       in_double(filter_normals(within, weight, in_single(guide, job), in_single(faces.normal, job), 0.4, job), job);
+  const Array<UnitNormal> single = in_single(faces.normal, job);
+  const Array<Vec3> by_itself = in_double(filter_normals(within, weight, single, single, 0.4, job), job);
   const Array<Vec3> mean = in_double(mean_of_neighbourhoods(within, weight, in_single(faces.normal, job), job), job);
   for (Index f = 0; f < mesh.face.size(); ++f) {
-    Vec3 sum = Vec3::Zero(), of_all = Vec3::Zero();
+    Vec3 sum = Vec3::Zero(), of_itself = Vec3::Zero(), of_all = Vec3::Zero();
     for (const Index* j = within.first(f); j != within.last(f); ++j) {
       const double distance = (faces.centroid[f] - faces.centroid[*j]).norm() / spacing[f];
       const double difference = (guide[f] - guide[*j]).norm() / 0.4;
+      const double own = (faces.normal[f] - faces.normal[*j]).norm() / 0.4;
       const Vec3 close = faces.area[*j] * nearly_exp_of_minus(distance * distance / 2) * faces.normal[*j];
       of_all += close;
       sum += nearly_exp_of_minus(difference * difference / 2) * close;
+      of_itself += nearly_exp_of_minus(own * own / 2) * close;
     }
+    EXPECT_LT((by_itself[f] - of_itself.normalized()).norm(), 1e-6);
     EXPECT_LT((filtered[f] - sum.normalized()).norm(), 1e-6);
     EXPECT_LT((mean[f] - of_all.normalized()).norm(), 1e-6);
   }

@@ -7,6 +7,8 @@
 
 #ifdef __linux__
 #include <sys/mman.h>
+
+#include "freed_blocks.h"
 #endif
 
 // A sanitizer sees what is allocated by operator new only.
@@ -33,16 +35,10 @@ constexpr std::size_t page = std::size_t(64) << 10;
 
 std::size_t in_pages(std::size_t bytes) { return (bytes + page - 1) / page * page; }
 
-}  // namespace
-
-// Straight from the system and straight back to it: a heap keeps what is freed between two blocks, a third of all
-// memory where arrays of some dozen megabytes come and go.
-void* allocate_array(std::size_t bytes) {
-  if (bytes < large) return ::operator new(bytes);
-  if (bytes > (std::numeric_limits<std::size_t>::max)() / 2) throw std::bad_alloc();
-  const std::size_t size = in_pages(bytes);
+/// Null if there are none.
+void* map_pages(std::size_t size) noexcept {
   void* const whole = ::mmap(nullptr, size + large_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (whole == MAP_FAILED) throw std::bad_alloc();
+  if (whole == MAP_FAILED) return nullptr;
   char* const begin = static_cast<char*>(whole);
   const std::size_t before = (large_page - reinterpret_cast<std::uintptr_t>(begin) % large_page) % large_page;
   if (before > 0) ::munmap(begin, before);
@@ -53,15 +49,44 @@ void* allocate_array(std::size_t bytes) {
   return begin + before;
 }
 
+/// Never destroyed, as arrays may be freed late.
+FreedBlocks& freed_blocks() {
+  static FreedBlocks& blocks = *new FreedBlocks([](void* block, std::size_t bytes) { ::munmap(block, bytes); });
+  return blocks;
+}
+
+}  // namespace
+
+// Straight from the system and straight back to it: a heap keeps what is freed between two blocks, a third of all
+// memory where arrays of some dozen megabytes come and go.
+void* allocate_array(std::size_t bytes) {
+  if (bytes < large) return ::operator new(bytes);
+  if (bytes > (std::numeric_limits<std::size_t>::max)() / 2) throw std::bad_alloc();
+  const std::size_t size = in_pages(bytes);
+  if (void* const block = freed_blocks().take(size)) return block;
+  void* block = map_pages(size);
+  if (block == nullptr && freed_blocks().release()) block = map_pages(size);
+  if (block == nullptr) {
+    freed_blocks().give_up(size);
+    throw std::bad_alloc();
+  }
+  return block;
+}
+
 void free_array(void* block, std::size_t bytes) noexcept {
   if (bytes < large) return ::operator delete(block);
-  ::munmap(block, in_pages(bytes));
+  freed_blocks().give(block, in_pages(bytes));
 }
+
+ArrayReuse::ArrayReuse() noexcept { freed_blocks().begin(); }
+ArrayReuse::~ArrayReuse() { freed_blocks().end(); }
 
 #else
 
 void* allocate_array(std::size_t bytes) { return ::operator new(bytes); }
 void free_array(void* block, std::size_t /*bytes*/) noexcept { ::operator delete(block); }
+ArrayReuse::ArrayReuse() noexcept = default;
+ArrayReuse::~ArrayReuse() = default;
 
 #endif
 

@@ -13,6 +13,16 @@ namespace vcg_core::detail {
 void* allocate_array(std::size_t bytes);
 void free_array(void* block, std::size_t bytes) noexcept;
 
+/// While one of these is there, large arrays that are freed leave their memory to the next ones, and the peak stays
+/// what it is. For work that makes and frees many of them; at the end the system has all back.
+class ArrayReuse {
+ public:
+  ArrayReuse() noexcept;
+  ~ArrayReuse();
+  ArrayReuse(const ArrayReuse&) = delete;
+  ArrayReuse& operator=(const ArrayReuse&) = delete;
+};
+
 template <class T>
 struct ArrayAllocator {
   using value_type = T;

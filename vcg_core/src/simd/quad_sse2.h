@@ -32,6 +32,8 @@ inline float lowest(Quad a) {
   const Quad two = _mm_min_ps(a, _mm_movehl_ps(a, a));
   return _mm_cvtss_f32(_mm_min_ss(two, _mm_shuffle_ps(two, two, 1)));
 }
+/// Four rows become four columns.
+inline void transpose(Quad& a, Quad& b, Quad& c, Quad& d) { _MM_TRANSPOSE4_PS(a, b, c, d); }
 /// 2^n for whole n in [-126, 127].
 inline Quad power_of_two(Quad n) {
   return _mm_castsi128_ps(_mm_slli_epi32(_mm_add_epi32(_mm_cvtps_epi32(n), _mm_set1_epi32(127)), 23));

@@ -60,6 +60,15 @@ inline float lowest(Quad a) {
   const float y = a[2] < a[3] ? a[2] : a[3];
   return x < y ? x : y;
 }
+/// Four rows become four columns.
+inline void transpose(Quad& a, Quad& b, Quad& c, Quad& d) {
+  const Quad ab_low = __builtin_shufflevector(a, b, 0, 4, 1, 5), ab_high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+  const Quad cd_low = __builtin_shufflevector(c, d, 0, 4, 1, 5), cd_high = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+  a = __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5);
+  b = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
+  c = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
+  d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
+}
 /// 2^n for whole n in [-126, 127].
 inline Quad power_of_two(Quad n) { return reinterpret_cast<Quad>((__builtin_convertvector(n, QuadMask) + 127) << 23); }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "array.h"
 #include "attribute_smoothing.h"
 #include "blend/candidates.h"
 #include "correlated_noise.h"
@@ -68,6 +69,7 @@ PassOutput run_within_limits(const PassInput& input, const GuidedSettings& setti
 }  // namespace
 
 PassOutput guided_pass(const PassInput& input, const GuidedSettings& settings) {
+  const ArrayReuse reuse;
   {
     CoarseRounds coarse(input, settings);
     if (coarse.noise() > 0) return run_within_limits(input, settings, coarse);
@@ -82,6 +84,7 @@ PassOutput guided_pass(const PassInput& input, const GuidedSettings& settings) {
 
 std::vector<double> medians_of_guided_pass(const PassInput& input, const GuidedSettings& settings,
                                            std::vector<ValueCounts>* counts) {
+  const ArrayReuse reuse;
   CoarseRounds coarse(input, settings, told_noise(*told_whole(input.mesh)), counts);
   if (!(coarse.noise() > 0)) return {};
   if (settings.blend) {
