@@ -154,7 +154,10 @@ def test_never_crashes(data):
     try:
         with np.errstate(all="ignore"):
             result, _ = anisosmooth.smooth(V, F, method, return_report=True)
-        assert result.shape == V.shape and np.isfinite(result.astype(float)).all()
+        assert result.shape == V.shape
+        # A vertex without faces stays where it is, wherever that is.
+        was_finite = np.isfinite(V.astype(float))
+        assert np.isfinite(result.astype(float))[was_finite].all()
     except ValueError as error:
         assert str(error)
     np.testing.assert_array_equal(V, before[0])
