@@ -23,8 +23,8 @@ using Numbers = std::array<float, 12>;  // of a facet: its normal, its corners
 
 constexpr std::size_t floats = std::tuple_size_v<Numbers>;
 
-/// What a facet becomes. Numbers that are the same stay as they are: 0 and -0 have other bytes. The normal stays where no
-/// corner moves, and where the facet has no direction.
+/// What a facet becomes. Numbers that are the same stay as they are: 0 and -0 have other bytes. The normal stays where
+/// no corner moves, and where the facet has no direction.
 Numbers moved_facet(const Numbers& before, const FlatMesh& mesh, std::size_t face) {
   Numbers now = before;
   bool moved = false;
