@@ -155,7 +155,7 @@ struct RandomCase {
     mesh_tools::Random random(5);
     const auto unit = [&] {
       const vcg::Point3d d = random.direction();
-      return Vec3f(static_cast<float>(d[0]), static_cast<float>(d[1]), static_cast<float>(d[2]));
+      return PackedNormal({static_cast<float>(d[0]), static_cast<float>(d[1]), static_cast<float>(d[2])});
     };
     for (int c = 0; c < 4; ++c) {
       candidates.normal.emplace_back();
@@ -170,10 +170,32 @@ struct RandomCase {
 
   NetworkTable table() const { return {{sizes[0], sizes[1], sizes[2], sizes[3]}, value.data(), value.size()}; }
 
+  Vec3 normal(std::size_t candidate, std::size_t face) const {
+    return candidates.normal[candidate][face].vector().cast<double>();
+  }
+
   static constexpr std::size_t sizes[] = {7, 5, 3, 4};
   Candidates candidates;
   std::vector<std::int16_t> value;
 };
+
+TEST(PackedNormal, IsTheNormalAsFarAsItsBitsReach) {
+  mesh_tools::Random random(8);
+  const auto check = [](const Vec3f& n) {
+    EXPECT_LT((PackedNormal(n).vector() - n).cwiseAbs().maxCoeff(), 0.51 / ((1 << 20) - 1)) << n.transpose();
+  };
+  for (int i = 0; i < 1000; ++i) {
+    const vcg::Point3d d = random.direction();
+    check({static_cast<float>(d[0]), static_cast<float>(d[1]), static_cast<float>(d[2])});
+  }
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float sign : {-1.0F, 1.0F}) {
+      const Vec3f unit = sign * Vec3f::Unit(axis);
+      EXPECT_EQ(PackedNormal(unit).vector(), unit);
+      check(1.0000002F * unit);
+    }
+  EXPECT_EQ(PackedNormal().vector(), Vec3f(Vec3f::Zero()));
+}
 
 TEST(BlendNetwork, IsThatOfItsTable) {
   Job job(no_progress, 2);
@@ -182,8 +204,7 @@ TEST(BlendNetwork, IsThatOfItsTable) {
   for (std::size_t f = 0; f < 37; ++f) {
     std::vector<double> x;
     for (std::size_t a = 0; a < 4; ++a)
-      for (std::size_t b = a + 1; b < 4; ++b)
-        x.push_back((c.candidates.normal[a][f] - c.candidates.normal[b][f]).cast<double>().norm());
+      for (std::size_t b = a + 1; b < 4; ++b) x.push_back((c.normal(a, f) - c.normal(b, f)).norm());
     x.push_back(c.candidates.scalar[0][f]);
     const std::int16_t* next = c.value.data();
     for (double& input : x) input -= *next++ / 4096.0;
@@ -198,7 +219,7 @@ TEST(BlendNetwork, IsThatOfItsTable) {
       x = y;
     }
     Vec3 sum = Vec3::Zero();
-    for (std::size_t a = 0; a < 4; ++a) sum += x[a] * c.candidates.normal[a][f].cast<double>();
+    for (std::size_t a = 0; a < 4; ++a) sum += x[a] * c.normal(a, f);
     EXPECT_LT((blended[f] - sum.normalized()).norm(), 1e-4 / std::min(1.0, sum.norm())) << f;
   }
 }
@@ -235,8 +256,7 @@ TEST(BlendNetwork, TakesTheSafeCandidateWhereTheSumIsShort) {
   RandomCase c;
   std::fill(c.value.begin() + 2 * 7, c.value.end(), std::int16_t(0));
   const Array<Vec3> blended = in_double(BlendNetwork(c.table()).blend(c.candidates, job), job);
-  for (std::size_t f = 0; f < 37; ++f)
-    EXPECT_EQ(blended[f], c.candidates.normal[safe_candidate][f].cast<double>()) << f;
+  for (std::size_t f = 0; f < 37; ++f) EXPECT_EQ(blended[f], c.normal(safe_candidate, f)) << f;
 }
 
 std::vector<NetworkTable> all_tables() {
@@ -319,7 +339,7 @@ TEST(Blend, LeavesAPlaneAsItIs) {
   Candidates candidates;
   for (const NetworkTable& table : all_tables()) {
     const Vec3f n(0.6F, 0, 0.8F);
-    candidates.normal.assign(table.sizes[3], Array<Vec3f>(20, n));
+    candidates.normal.assign(table.sizes[3], Array<PackedNormal>(20, PackedNormal(n)));
     const std::size_t pairs = table.sizes[3] * (table.sizes[3] - 1) / 2;
     for (const float noise : {0.0F, 0.3F, 0.6F}) {
       candidates.scalar.assign(table.sizes[0] - pairs, Array<float>(20, noise));

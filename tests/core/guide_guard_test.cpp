@@ -107,7 +107,8 @@ class GuideGuard : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(GuideGuard, FadesPatchesThatSpreadMoreThanThreeTimesTheMedian) {
-  const Array<Vec3> guide = guide_normals(mesh, around, across, faces, faces.normal, GuidedSettings{}, medians, job);
+  const Array<Vec3> guide =
+      in_double(guide_normals(mesh, around, across, faces, faces.normal, GuidedSettings{}, medians, job), job);
   const std::vector<Patch> best = best_patches();
   std::vector<double> spreads;
   for (const Patch& p : best) spreads.push_back(p.spread);
@@ -133,7 +134,8 @@ TEST_P(GuideGuard, FadesPatchesThatSpreadMoreThanThreeTimesTheMedian) {
 TEST_P(GuideGuard, OffTrustsEveryBestPatch) {
   GuidedSettings settings;
   settings.guard_thin_parts = false;
-  const Array<Vec3> guide = guide_normals(mesh, around, across, faces, faces.normal, settings, medians, job);
+  const Array<Vec3> guide =
+      in_double(guide_normals(mesh, around, across, faces, faces.normal, settings, medians, job), job);
   const std::vector<Patch> best = best_patches();
   for (Index f = 0; f < mesh.face.size(); ++f) EXPECT_LT((guide[f] - best[f].mean).norm(), 1e-12) << f;
 }

@@ -107,7 +107,8 @@ TEST_F(GuidedSteps, FacesWithinAreTheConnectedBall) {
 
 TEST_F(GuidedSteps, FilteredNormalsAreTheWeightedMean) {
   const Array<float> weight = closeness_weights(within, faces, spacing, 1, job);
-  const Array<Vec3> guide = guide_normals(mesh, around, across, faces, faces.normal, GuidedSettings{}, medians, job);
+  const Array<Vec3> guide =
+      in_double(guide_normals(mesh, around, across, faces, faces.normal, GuidedSettings{}, medians, job), job);
   const Array<Vec3> filtered =
       in_double(filter_normals(within, weight, in_single(guide, job), in_single(faces.normal, job), 0.4, job), job);
   const Array<UnitNormal> single = in_single(faces.normal, job);
@@ -133,7 +134,8 @@ TEST_F(GuidedSteps, FilteredNormalsAreTheWeightedMean) {
 TEST_F(GuidedSteps, GuidesAreMeansOfTheMostConsistentPatch) {
   GuidedSettings settings;
   settings.guard_thin_parts = false;
-  const Array<Vec3> guide = guide_normals(mesh, around, across, faces, faces.normal, settings, medians, job);
+  const Array<Vec3> guide =
+      in_double(guide_normals(mesh, around, across, faces, faces.normal, settings, medians, job), job);
   const auto patch = [&](Index center) {
     Vec3 sum = Vec3::Zero();
     for (const Index g : naive_around(center)) sum += faces.area[g] * faces.normal[g];

@@ -7,7 +7,7 @@ namespace mesh_tools::io {
 
 /// Wishes that memory which nothing has touched yet comes in the system's large pages: of a file of a hundred
 /// megabytes, small ones take longer than its bytes. Where the wish is not granted, nothing is lost.
-void wish_for_large_pages(const void* begin, std::size_t bytes) noexcept;
+void wish_for_large_pages(void* begin, std::size_t bytes) noexcept;
 
 /// Room for `size` elements of a string or a vector that is empty.
 template <class Container>

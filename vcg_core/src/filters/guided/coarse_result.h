@@ -23,7 +23,6 @@ struct CoarseResult {
   const NoiseEstimate& noise;
   WholeMedians& medians;  ///< the next one is that of the residuals
   RingMeans rings;
-  FaceLists around;
   FaceLists within;
   Array<double> spacing;
   Array<UnitNormal> noisy_normal;  ///< by face, as the next

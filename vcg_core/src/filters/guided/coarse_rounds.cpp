@@ -38,7 +38,8 @@ void CoarseRounds::run() {
     filter_once();
     job_.report(0.1 + 0.4 * (round + 1) / rounds);
   }
-  Array<Index>().swap(across_);
+  across_ = {};
+  around_ = {};
 }
 
 CoarseResult CoarseRounds::take_result() {
@@ -49,7 +50,6 @@ CoarseResult CoarseRounds::take_result() {
           estimate_,
           medians_,
           std::move(rings_),
-          std::move(around_),
           std::move(within_),
           std::move(spacing_),
           std::move(noisy_normal_),
@@ -71,15 +71,18 @@ int CoarseRounds::rounds_for_noise() const {
   return static_cast<int>(std::lround(std::clamp<double>(rounds, settings_.fewest_rounds, settings_.most_rounds)));
 }
 
-void CoarseRounds::filter_once() {
-  const Array<float> weight = closeness_weights(within_, faces_, spacing_, settings_.closeness, job_);
-  const Array<Vec3> guide =
+Array<UnitNormal> CoarseRounds::filtered_normals() {
+  // The guides come first: they take the most memory.
+  const Array<UnitNormal> guide =
       settings_.guide ? guide_normals(in_.mesh, around_, across_, faces_, faces_.normal, settings_, medians_, job_)
-                      : faces_.normal;
-  const Array<Vec3> normal = in_double(filter_normals(within_, weight, in_single(guide, job_),
-                                                      in_single(faces_.normal, job_), settings_.coarse_range, job_),
-                                       job_);
-  update_positions(in_.mesh, normal, in_.movable, settings_.coarse_updates, settings_, position_, job_);
+                      : in_single(faces_.normal, job_);
+  const Array<float> weight = closeness_weights(within_, faces_, spacing_, settings_.closeness, job_);
+  return filter_normals(within_, weight, guide, in_single(faces_.normal, job_), settings_.coarse_range, job_);
+}
+
+void CoarseRounds::filter_once() {
+  update_positions(in_.mesh, in_double(filtered_normals(), job_), in_.movable, settings_.coarse_updates, settings_,
+                   position_, job_);
   // From here on the normals are those of the faces as they lie: what the vertices could not follow is dropped.
   faces_.measure(in_.mesh, position_, job_);
 }

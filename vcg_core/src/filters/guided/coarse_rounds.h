@@ -34,6 +34,7 @@ class CoarseRounds {
  private:
   void find_neighbourhoods();
   int rounds_for_noise() const;
+  Array<UnitNormal> filtered_normals();
   void filter_once();
 
   const PassInput& in_;

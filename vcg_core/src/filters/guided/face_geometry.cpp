@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "face_geometry.h"
 
-#include <Eigen/Geometry>
-
 #include "job.h"
 
 namespace vcg_core::detail {
@@ -15,12 +13,10 @@ void FaceGeometry::measure(const MeshArrays& mesh, const Array<Vec3>& position, 
     while (chunks.next())
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
         const auto& v = mesh.face[f];
-        const Vec3& a = position[v[0]];
-        const Vec3 cross = (position[v[1]] - a).cross(position[v[2]] - a);
-        const double length = cross.norm();
-        normal[f] = length > 0 ? Vec3(cross / length) : Vec3(Vec3::Zero());
-        centroid[f] = (a + position[v[1]] + position[v[2]]) / 3;
-        area[f] = length / 2;
+        const Vec3 cross = area_vector(mesh, position, f);
+        normal[f] = direction_of_face(cross);
+        centroid[f] = (position[v[0]] + position[v[1]] + position[v[2]]) / 3;
+        area[f] = cross.norm() / 2;
       }
   });
 }

@@ -42,36 +42,50 @@ class Marks {
   Index current_ = 0;
 };
 
-/// Makes lists in parallel: `append(f, marks, list)` adds those of one face to the end of its chunk's list.
+/// Makes room for what a list will hold in the end by what its first part holds.
+void reserve_for_all(std::size_t part, std::size_t of, std::size_t needed, Array<Index>& list) {
+  constexpr double allowance = 1.05;
+  if (list.capacity() >= needed) return;
+  const double expected = allowance * static_cast<double>(needed) / static_cast<double>(part) * static_cast<double>(of);
+  list.reserve(std::max(needed, static_cast<std::size_t>(expected)));
+}
+
+/// Makes lists in parallel: `append(f, marks, list)` adds those of one face to the end of its chunk's list. One stretch
+/// of the faces after the other, so that little is in memory twice.
 template <class Append>
 FaceLists make_lists(std::size_t faces, Job& job, const Append& append) {
-  const std::size_t chunk_count = (faces + grain - 1) / grain;
-  std::vector<Array<Index>> part(chunk_count);
+  constexpr std::size_t stretches = 16, fewest_chunks = 64;
+  const std::size_t stretch = std::max(fewest_chunks, faces / stretches / grain + 1) * grain;
   FaceLists lists;
   lists.begin.assign(faces + 1, 0);
-  job.parallel(faces, grain, Loop::minor, [&](Chunks& chunks) {
-    Marks marks(faces);
-    while (chunks.next()) {
-      Array<Index>& list = part[chunks.index()];
-      marks.forget_all();
-      for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
-        const std::size_t before = list.size();
-        marks.begin(static_cast<Index>(f));
-        append(static_cast<Index>(f), marks, list);
-        lists.begin[f + 1] = list.size() - before;
+  for (std::size_t first = 0; first < faces; first += stretch) {
+    const std::size_t count = std::min(stretch, faces - first);
+    const std::size_t chunk_count = (count + grain - 1) / grain;
+    std::vector<Array<Index>> part(chunk_count);
+    job.parallel(count, grain, Loop::minor, [&](Chunks& chunks) {
+      Marks marks(faces);
+      while (chunks.next()) {
+        Array<Index>& list = part[chunks.index()];
+        marks.forget_all();
+        for (std::size_t f = first + chunks.begin(); f < first + chunks.end(); ++f) {
+          const std::size_t before = list.size();
+          marks.begin(static_cast<Index>(f));
+          append(static_cast<Index>(f), marks, list);
+          lists.begin[f + 1] = list.size() - before;
+        }
       }
-    }
-  });
-  job.serial(faces, [&](std::size_t f) { lists.begin[f + 1] += lists.begin[f]; });
-  lists.face.resize(lists.begin[faces]);
-  job.parallel(chunk_count, 1, Loop::minor, [&](Chunks& chunks) {
-    while (chunks.next())
-      for (std::size_t c = chunks.begin(); c < chunks.end(); ++c) {
-        std::copy(part[c].begin(), part[c].end(),
-                  lists.face.begin() + static_cast<std::ptrdiff_t>(lists.begin[c * grain]));
-        Array<Index>().swap(part[c]);
-      }
-  });
+    });
+    job.serial(count, [&](std::size_t i) { lists.begin[first + i + 1] += lists.begin[first + i]; });
+    const std::size_t end = lists.begin[first + count];
+    reserve_for_all(first + count, faces, end, lists.face);
+    lists.face.resize(end);
+    job.parallel(chunk_count, 1, Loop::minor, [&](Chunks& chunks) {
+      while (chunks.next())
+        for (std::size_t c = chunks.begin(); c < chunks.end(); ++c)
+          std::copy(part[c].begin(), part[c].end(),
+                    lists.face.begin() + static_cast<std::ptrdiff_t>(lists.begin[first + c * grain]));
+    });
+  }
   return lists;
 }
 

@@ -30,8 +30,9 @@ FilterRun run_filter(const PassInput& input, const GuidedSettings& settings, Coa
   CoarseResult result = coarse.take_result();
   Job& job = input.job;
   FilterRun run;
+  if (!settings.restart) run.position = result.position;  // before the blend frees them
   run.normal = in_double(settings.blend ? blended_normals(result, job) : fine_normals(result, job), job);
-  run.position = settings.restart ? input.position : result.position;
+  if (settings.restart) run.position = input.position;
   update_positions(input.mesh, run.normal, input.movable, settings.final_updates, settings, run.position, job);
   job.report(0.95);
   if (settings.recover_detail && !settings.blend)

@@ -19,9 +19,9 @@ constexpr std::size_t usual_corners = std::size_t(1) << 18;
 
 /// The faces around one face, taken together.
 struct Patch {
-  Vec3 mean = Vec3::Zero();  ///< mean normal by area, of unit length
-  double inconsistency = 0;  ///< equations (6) to (8) of the source: the smaller the better
-  double spread = 0;         ///< 1 - length of the mean of the unit normals
+  double inconsistency;  ///< equations (6) to (8) of the source: the smaller the better
+  float mean[3];         ///< mean normal by area, of unit length
+  float spread;          ///< 1 - length of the mean of the unit normals
 };
 
 /// Measures patches; remembers which faces belong to the current one.
@@ -35,16 +35,18 @@ class PatchMeasure {
   void forget_all() { member_of_.clear(); }
 
   Patch measure(Index f) {
-    Patch patch;
+    Vec3 mean = Vec3::Zero();
     double total = 0;
     for (const Index* g = around_.first(f); g != around_.last(f); ++g) {
-      patch.mean += area_[*g] * normal_[*g];
+      mean += area_[*g] * normal_[*g];
       total += area_[*g];
     }
-    const double length = patch.mean.norm();
-    patch.mean = length > 0 ? Vec3(patch.mean / length) : normal_[f];
-    patch.spread = total > 0 ? 1 - length / total : 0;
-    patch.inconsistency = widest_difference(f, patch.mean) * edge_concentration(f);
+    const double length = mean.norm();
+    mean = length > 0 ? Vec3(mean / length) : normal_[f];
+    Patch patch;
+    for (int k = 0; k < 3; ++k) patch.mean[k] = static_cast<float>(mean[k]);
+    patch.spread = total > 0 ? static_cast<float>(1 - length / total) : 0;
+    patch.inconsistency = widest_difference(f, mean) * edge_concentration(f);
     return patch;
   }
 
@@ -119,9 +121,9 @@ Vec3 bilateral_mean(const FaceLists& around, Index f, const Array<double>& area,
 
 }  // namespace
 
-Array<Vec3> guide_normals(const MeshArrays& mesh, const FaceLists& around, const Array<Index>& across,
-                          const FaceGeometry& faces, const Array<Vec3>& normal, const GuidedSettings& settings,
-                          WholeMedians& medians, Job& job) {
+Array<UnitNormal> guide_normals(const MeshArrays& mesh, const FaceLists& around, const Array<Index>& across,
+                                const FaceGeometry& faces, const Array<Vec3>& normal, const GuidedSettings& settings,
+                                WholeMedians& medians, Job& job) {
   const std::size_t count = normal.size();
   const Array<double> jump = find_jumps(normal, across, job);
   Array<Patch> patch(count);
@@ -133,7 +135,7 @@ Array<Vec3> guide_normals(const MeshArrays& mesh, const FaceLists& around, const
     }
   });
 
-  Array<Vec3> guide(count);
+  Array<UnitNormal> guide(count);
   Array<double> spread(count);
   job.parallel(count, grain, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
@@ -141,7 +143,8 @@ Array<Vec3> guide_normals(const MeshArrays& mesh, const FaceLists& around, const
         const Index* best = around.first(f);
         for (const Index* g = best; g != around.last(f); ++g)
           if (patch[*g].inconsistency < patch[*best].inconsistency) best = g;
-        guide[f] = patch[*best].mean;
+        const float(&mean)[3] = patch[*best].mean;
+        guide[f] = UnitNormal(mean[0], mean[1], mean[2], 0);
         spread[f] = patch[*best].spread;
       }
   });
@@ -157,9 +160,9 @@ Array<Vec3> guide_normals(const MeshArrays& mesh, const FaceLists& around, const
         if (spread[f] <= trusted) continue;
         const double trust = std::max(0.0, (refused - spread[f]) / (refused - trusted));
         const Vec3 mean = bilateral_mean(around, static_cast<Index>(f), faces.area, normal, weight);
-        const Vec3 blend = trust * guide[f] + (1 - trust) * mean;
+        const Vec3 blend = trust * guide[f].head<3>().cast<double>() + (1 - trust) * mean;
         const double length = blend.norm();
-        if (length > 1e-9) guide[f] = blend / length;
+        if (length > 1e-9) guide[f] = in_single(Vec3(blend / length));
       }
   });
   return guide;

@@ -5,6 +5,7 @@
 #include "face_neighborhoods.h"
 #include "guided_settings.h"
 #include "mesh_arrays.h"
+#include "unit_normals.h"
 #include "whole_medians.h"
 
 namespace vcg_core::detail {
@@ -17,8 +18,8 @@ namespace vcg_core::detail {
 /// reach over an edge, as on parts one edge length thick, the guide is a bilateral mean over the faces around.
 /// @param normal   filtered so far
 /// @param medians  its next two are those of the spread and of the jumps
-Array<Vec3> guide_normals(const MeshArrays& mesh, const FaceLists& around, const Array<Index>& across,
-                          const FaceGeometry& faces, const Array<Vec3>& normal, const GuidedSettings& settings,
-                          WholeMedians& medians, Job& job);
+Array<UnitNormal> guide_normals(const MeshArrays& mesh, const FaceLists& around, const Array<Index>& across,
+                                const FaceGeometry& faces, const Array<Vec3>& normal, const GuidedSettings& settings,
+                                WholeMedians& medians, Job& job);
 
 }  // namespace vcg_core::detail

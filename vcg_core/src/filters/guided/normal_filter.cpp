@@ -26,17 +26,20 @@ UnitNormal direction_of(const UnitNormal& sum, float total, const UnitNormal& ot
 
 Array<float> closeness_weights(const FaceLists& within, const FaceGeometry& faces, const Array<double>& spacing,
                                double closeness, Job& job) {
+  const RangeWeight<float> close(closeness);  // of distances in spacings
   Array<float> weight(within.face.size());
   job.parallel(spacing.size(), grain, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
-        const RangeWeight<double> close(closeness * spacing[f]);
         const double unit = 1 / (spacing[f] * spacing[f]);  // areas as multiples of it neither over- nor underflow
-        for (std::size_t k = within.begin[f]; k < within.begin[f + 1]; ++k) {
-          const Index g = within.face[k];
-          weight[k] =
-              static_cast<float>(faces.area[g] * unit * close((faces.centroid[g] - faces.centroid[f]).squaredNorm()));
-        }
+        const Index* face = within.first(f);
+        float* const of_face = weight.data() + within.begin[f];
+        const std::size_t count = within.begin[f + 1] - within.begin[f];
+        // Two loops, as compilers turn the second one into vectors.
+        for (std::size_t k = 0; k < count; ++k)
+          of_face[k] = static_cast<float>((faces.centroid[face[k]] - faces.centroid[f]).squaredNorm() * unit);
+        for (std::size_t k = 0; k < count; ++k)
+          of_face[k] = static_cast<float>(faces.area[face[k]] * unit) * close(of_face[k]);
       }
   });
   return weight;

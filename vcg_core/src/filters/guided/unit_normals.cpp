@@ -22,9 +22,7 @@ Array<To> converted(const Array<From>& from, Job& job, const Convert& convert) {
 }  // namespace
 
 Array<UnitNormal> in_single(const Array<Vec3>& normal, Job& job) {
-  return converted<UnitNormal>(normal, job, [](const Vec3& n) {
-    return UnitNormal(static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2]), 0);
-  });
+  return converted<UnitNormal>(normal, job, [](const Vec3& n) { return in_single(n); });
 }
 
 Array<Vec3> in_double(const Array<UnitNormal>& normal, Job& job) {

@@ -11,6 +11,10 @@ namespace vcg_core::detail {
 /// vector register takes a normal at once.
 using UnitNormal = Eigen::Vector4f;
 
+inline UnitNormal in_single(const Vec3& n) {
+  return {static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2]), 0};
+}
+
 Array<UnitNormal> in_single(const Array<Vec3>& normal, Job& job);
 Array<Vec3> in_double(const Array<UnitNormal>& normal, Job& job);
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include "face_geometry.h"
 #include "job.h"
 
 namespace vcg_core::detail {
@@ -18,8 +19,7 @@ Array<std::uint8_t> find_folds(const MeshArrays& mesh, const Array<Vec3>& normal
   job.parallel(mesh.face.size(), grain, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
-        const auto& v = mesh.face[f];
-        const Vec3 cross = (position[v[1]] - position[v[0]]).cross(position[v[2]] - position[v[0]]);
+        const Vec3 cross = area_vector(mesh, position, f);
         face_folded[f] = cross.dot(normal[f]) < cosine * cross.norm();
       }
   });

@@ -45,23 +45,29 @@ std::vector<Array<Vec3>> band_limited_positions(const MeshArrays& mesh, const Ri
   std::vector<Array<Vec3>> sum(cut_offs.size(), Array<Vec3>(position.size()));
   Array<Vec3> last(position.size());  // T_{n-1}
   Array<Vec3> current = position;     // T_n
-  for (std::size_t n = 0; n < terms; ++n) {
+  // T_1 = W T_0, T_{n+1} = 2 W T_n - T_{n-1}, written over T_{n-1}.
+  const auto advance = [&](std::size_t n, const auto& use) {
     job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
       while (chunks.next())
         for (std::size_t v = chunks.begin(); v < chunks.end(); ++v) {
-          for (std::size_t k = 0; k < sum.size(); ++k) {
-            if (n == 0)
-              sum[k][v] = coefficients[k][0] * current[v];
-            else if (n < coefficients[k].size())
-              sum[k][v] += coefficients[k][n] * current[v];
-          }
-          if (n + 1 == terms) continue;
           const Vec3 mean = averaged.mean(current, v);
-          // T_1 = W T_0, T_{n+1} = 2 W T_n - T_{n-1}, written over T_{n-1}.
           last[v] = n == 0 ? mean : Vec3(2 * mean - last[v]);
+          use(v);
         }
     });
     last.swap(current);
+  };
+  // Two terms at a time: there are more sums than terms to read.
+  for (std::size_t n = 0; n < terms; n += 2) {
+    advance(n, [&](std::size_t v) {
+      for (std::size_t k = 0; k < sum.size(); ++k) {
+        const std::vector<double>& c = coefficients[k];
+        if (n >= c.size()) continue;
+        sum[k][v] = n == 0 ? Vec3(c[0] * current[v]) : Vec3(sum[k][v] + c[n] * current[v]);
+        if (n + 1 < c.size()) sum[k][v] += c[n + 1] * last[v];
+      }
+    });
+    if (n + 2 < terms) advance(n + 1, [](std::size_t) {});
   }
   return sum;
 }

@@ -43,8 +43,10 @@ void NetworkInputs::fill(const Candidates& candidates, std::size_t first, std::s
   coordinate_.resize(3 * size);
   for (std::size_t c = 0; c < size; ++c)
     for (std::size_t lane = 0; lane < block; ++lane) {
-      const Vec3f& n = candidates.normal[c][first + std::min(lane, count - 1)];
-      for (std::size_t axis = 0; axis < 3; ++axis) coordinate_[3 * c + axis].lane[lane] = n[static_cast<int>(axis)];
+      const PackedNormal n = candidates.normal[c][first + std::min(lane, count - 1)];
+      coordinate_[3 * c].lane[lane] = n.x();
+      coordinate_[3 * c + 1].lane[lane] = n.y();
+      coordinate_[3 * c + 2].lane[lane] = n.z();
     }
   BlockRow* next = row.data();
   for (std::size_t a = 0; a < size; ++a)
@@ -85,10 +87,10 @@ Array<UnitNormal> BlendNetwork::blend(const Candidates& candidates, Job& job) co
           const std::size_t f = first + lane;
           Vec3 sum = Vec3::Zero();
           for (std::size_t c = 0; c < candidates.size(); ++c)
-            sum += static_cast<double>(values[c].lane[lane]) * candidates.normal[c][f].cast<double>();
+            sum += static_cast<double>(values[c].lane[lane]) * candidates.normal[c][f].vector().cast<double>();
           const double length = sum.norm();
           if (length > no_direction) sum /= length;
-          const Vec3f& safe = candidates.normal[safe_candidate][f];
+          const Vec3f safe = candidates.normal[safe_candidate][f].vector();
           for (int k = 0; k < 3; ++k) blended[f][k] = length > no_direction ? static_cast<float>(sum[k]) : safe[k];
           blended[f][3] = 0;
         }

@@ -42,16 +42,24 @@ void release(Arrays&... arrays) {
   (Arrays().swap(arrays), ...);
 }
 
-Array<Vec3f> packed(const Array<UnitNormal>& normal, Job& job) {
-  Array<Vec3f> three(normal.size());
-  for_each(normal.size(), job, [&](std::size_t f) { three[f] = normal[f].head<3>(); });
-  return three;
+Array<PackedNormal> packed(const Array<UnitNormal>& normal, Job& job) {
+  Array<PackedNormal> small(normal.size());
+  for_each(normal.size(), job, [&](std::size_t f) { small[f] = PackedNormal(normal[f].head<3>()); });
+  return small;
 }
 
-Array<Vec3f> packed(const Array<Vec3>& normal, Job& job) {
-  Array<Vec3f> three(normal.size());
-  for_each(normal.size(), job, [&](std::size_t f) { three[f] = normal[f].cast<float>(); });
-  return three;
+Array<PackedNormal> packed(const Array<Vec3>& normal, Job& job) {
+  Array<PackedNormal> small(normal.size());
+  for_each(normal.size(), job, [&](std::size_t f) { small[f] = PackedNormal(normal[f].cast<float>()); });
+  return small;
+}
+
+Array<PackedNormal> packed_face_normals(const MeshArrays& mesh, const Array<Vec3>& position, Job& job) {
+  Array<PackedNormal> small(mesh.face.size());
+  for_each(small.size(), job, [&](std::size_t f) {
+    small[f] = PackedNormal(direction_of_face(area_vector(mesh, position, f)).cast<float>());
+  });
+  return small;
 }
 
 /// Means over the neighbourhood by closeness and area.
@@ -100,20 +108,32 @@ class NeighbourhoodMean {
   Job& job_;
 };
 
-/// sqrt(1 - length of the mean unit normal, by area, of the faces around), which grows with the angle between them.
-Array<float> spread(const FaceLists& around, const Array<double>& area, const Array<UnitNormal>& normal, Job& job) {
-  Array<float> result(normal.size());
-  for_each(normal.size(), job, [&](std::size_t f) {
-    Vec3 sum = Vec3::Zero();
-    double total = 0;
-    for (const Index* g = around.first(static_cast<Index>(f)); g != around.last(static_cast<Index>(f)); ++g) {
-      sum += area[*g] * normal[*g].head<3>().cast<double>();
-      total += area[*g];
-    }
-    result[f] = total > 0 ? static_cast<float>(std::sqrt(std::max(0.0, 1 - sum.norm() / total))) : 0;
-  });
-  return result;
-}
+/// How far the normals of the faces around each face spread. Its lists of faces are found anew in each stage: kept,
+/// they would be an eighth of the peak.
+class NormalSpread {
+ public:
+  NormalSpread(const MeshArrays& mesh, Job& job)
+      : around_(faces_around(mesh, faces_across(mesh, job), job)), job_(job) {}
+
+  /// sqrt(1 - length of the mean unit normal, by area, of the faces around), which grows with the angle between them.
+  Array<float> of(const Array<UnitNormal>& normal, const Array<double>& area) const {
+    Array<float> result(normal.size());
+    for_each(normal.size(), job_, [&](std::size_t f) {
+      Vec3 sum = Vec3::Zero();
+      double total = 0;
+      for (const Index* g = around_.first(f); g != around_.last(f); ++g) {
+        sum += area[*g] * normal[*g].head<3>().cast<double>();
+        total += area[*g];
+      }
+      result[f] = total > 0 ? static_cast<float>(std::sqrt(std::max(0.0, 1 - sum.norm() / total))) : 0;
+    });
+    return result;
+  }
+
+ private:
+  FaceLists around_;
+  Job& job_;
+};
 
 void add_scalars(const CoarseResult& coarse, Job& job, Candidates& candidates) {
   const double e = coarse.mesh.topology.average_edge_length;
@@ -148,7 +168,8 @@ void add_context(const NeighbourhoodMean& mean, const std::vector<Pair>& pairs, 
       difference[f].setZero();
       for (std::size_t p = 0; p < count; ++p) {
         const auto [a, b] = pairs[first + p];
-        difference[f][static_cast<int>(p)] = distance(candidates.normal[a][f], candidates.normal[b][f]);
+        difference[f][static_cast<int>(p)] =
+            distance(candidates.normal[a][f].vector(), candidates.normal[b][f].vector());
       }
     });
     difference = mean.of_values(std::move(difference));
@@ -187,20 +208,18 @@ Array<Vec3> without_outliers(const CoarseResult& coarse, Job& job) {
 }
 
 /// The normals of band-limited positions, one array for each cut-off.
-std::vector<Array<Vec3f>> band_limited_normals(const CoarseResult& coarse, const Array<Vec3>& position,
-                                               const std::vector<double>& cut_offs, Job& job) {
-  std::vector<Array<Vec3f>> normals;
-  FaceGeometry faces;
+std::vector<Array<PackedNormal>> band_limited_normals(const CoarseResult& coarse, const Array<Vec3>& position,
+                                                      const std::vector<double>& cut_offs, Job& job) {
+  std::vector<Array<PackedNormal>> normals;
   for (Array<Vec3>& low : band_limited_positions(coarse.mesh, coarse.rings, position, cut_offs, job)) {
-    faces.measure(coarse.mesh, low, job);
+    normals.push_back(packed_face_normals(coarse.mesh, low, job));
     release(low);
-    normals.push_back(packed(faces.normal, job));
   }
   return normals;
 }
 
-void add_normals(std::vector<Array<Vec3f>> normals, Candidates& candidates) {
-  for (Array<Vec3f>& normal : normals) candidates.normal.push_back(std::move(normal));
+void add_normals(std::vector<Array<PackedNormal>> normals, Candidates& candidates) {
+  for (Array<PackedNormal>& normal : normals) candidates.normal.push_back(std::move(normal));
 }
 
 }  // namespace
@@ -211,7 +230,9 @@ double median_residual(const CoarseResult& coarse, Job& job) {
 
 Candidates first_candidates(CoarseResult& coarse, Job& job) {
   // First, so that the memory of the positions is free again when the weights of the neighbourhoods come.
-  std::vector<Array<Vec3f>> low = band_limited_normals(coarse, without_outliers(coarse, job), first_cut_offs, job);
+  std::vector<Array<PackedNormal>> low =
+      band_limited_normals(coarse, without_outliers(coarse, job), first_cut_offs, job);
+  release(coarse.position);
   const NeighbourhoodMean mean(coarse, coarse.faces, job);
   release(coarse.faces.centroid);
   const double range = coarse.settings.fine_range;
@@ -226,6 +247,13 @@ Candidates first_candidates(CoarseResult& coarse, Job& job) {
   add(fine);
   fine = mean.bilateral(std::move(fine), range, 12);
   add(fine);
+  {
+    const NormalSpread spread(coarse.mesh, job);
+    candidates.scalar.push_back(spread.of(filtered, coarse.faces.area));
+    candidates.scalar.push_back(spread.of(fine, coarse.faces.area));
+    candidates.scalar.push_back(spread.of(raw, coarse.noisy_area));
+  }
+  release(filtered, coarse.faces.area);
   Array<UnitNormal> normal = mean.of_normals(raw);
   add(normal);
   add(mean.of_normals(mean.of_normals(normal)));
@@ -234,11 +262,8 @@ Candidates first_candidates(CoarseResult& coarse, Job& job) {
   normal = mean.guided(fine, normal, 4. / 3 * range);
   add(mean.guided(fine, normal, 4. / 3 * range));
   add_normals(std::move(low), candidates);
+  release(fine, normal);
 
-  candidates.scalar.push_back(spread(coarse.around, coarse.faces.area, filtered, job));
-  candidates.scalar.push_back(spread(coarse.around, coarse.faces.area, fine, job));
-  candidates.scalar.push_back(spread(coarse.around, coarse.noisy_area, raw, job));
-  release(filtered, fine, normal, coarse.faces.area);
   add_scalars(coarse, job, candidates);
   add_context(mean, {{0, 1}, {0, 3}, {1, 3}, {3, 7}, {0, 9}, {3, 10}, {10, 12}, {12, 13}}, job, candidates);
   return candidates;
@@ -249,9 +274,10 @@ Candidates second_candidates(const CoarseResult& coarse, const Array<UnitNormal>
   Array<Vec3> position = coarse.noisy;
   update_positions(coarse.mesh, in_double(blended, job), coarse.movable, updates, coarse.settings, position, job);
   FaceGeometry faces;
+  std::vector<Array<PackedNormal>> low = band_limited_normals(coarse, position, second_cut_offs, job);
   faces.measure(coarse.mesh, position, job);
-  std::vector<Array<Vec3f>> low = band_limited_normals(coarse, position, second_cut_offs, job);
-  release(position);
+  Array<PackedNormal> moved = packed(faces.normal, job);
+  release(position, faces.normal);
   const NeighbourhoodMean mean(coarse, faces, job);
   release(faces.centroid);
   const double range = coarse.settings.fine_range;
@@ -262,7 +288,13 @@ Candidates second_candidates(const CoarseResult& coarse, const Array<UnitNormal>
   add(blended);
   Array<UnitNormal> fine = mean.bilateral(blended, range, 3);
   add(fine);
-  const Array<float> fine_spread = spread(coarse.around, faces.area, fine, job);
+  {
+    const NormalSpread spread(coarse.mesh, job);
+    candidates.scalar.push_back(spread.of(blended, faces.area));
+    candidates.scalar.push_back(spread.of(fine, faces.area));
+    candidates.scalar.push_back(spread.of(raw, coarse.noisy_area));
+  }
+  release(faces.area);
   add(mean.bilateral(fine, range, 7));
   add(mean.bilateral(blended, range / 2, 6));
   release(fine);
@@ -272,13 +304,10 @@ Candidates second_candidates(const CoarseResult& coarse, const Array<UnitNormal>
   normal = mean.guided(blended, raw, 2. / 3 * range);
   add(normal);
   add(mean.guided(blended, mean.guided(blended, normal, range), range));
-  add(faces.normal);
+  candidates.normal.push_back(std::move(moved));
   add_normals(std::move(low), candidates);
+  release(normal);
 
-  candidates.scalar.push_back(spread(coarse.around, faces.area, blended, job));
-  candidates.scalar.push_back(fine_spread);
-  candidates.scalar.push_back(spread(coarse.around, coarse.noisy_area, raw, job));
-  release(normal, faces.normal, faces.area);
   add_scalars(coarse, job, candidates);
   add_context(mean, {{0, 1}, {1, 3}, {1, 8}, {1, 10}, {1, 11}, {0, 10}}, job, candidates);
   return candidates;

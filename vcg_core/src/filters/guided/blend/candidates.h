@@ -3,18 +3,15 @@
 
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "../coarse_result.h"
 #include "mesh_arrays.h"
+#include "packed_normal.h"
 
 namespace vcg_core::detail {
 
-using Vec3f = Eigen::Vector3f;
-
 /// What the blend of normals chooses from and what it sees: by face.
 struct Candidates {
-  std::vector<Array<Vec3f>> normal;  ///< unit vectors, differently filtered; those of faces without area may be zero
+  std::vector<Array<PackedNormal>> normal;  ///< differently filtered; those of faces without area may be zero
   std::vector<Array<float>> scalar;  ///< spread of normals around the face, noise, spacing and differences around it
 
   std::size_t size() const { return normal.size(); }
