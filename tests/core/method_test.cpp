@@ -114,7 +114,8 @@ TEST_P(EveryMethod, FollowsScaleAndPlace) {
   }
   const auto shifted = [](const Point& p) { return p + Point(1000, -2000, 500); };
   const FlatMesh other = smoothed_by(method(), transformed(mesh, shifted), defaults()).mesh;
-  EXPECT_LE(difference(other, transformed(result, shifted), 0).largest, 1e-7 * e);
+  const double rounding = method() == Method::guided ? 2e-6 : 1e-7;  // its normals are in single precision and packed
+  EXPECT_LE(difference(other, transformed(result, shifted), 0).largest, rounding * e);
 }
 
 TEST_P(EveryMethod, StaysFiniteOnAllThatIsOdd) {
