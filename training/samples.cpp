@@ -90,7 +90,9 @@ std::optional<Samples> samples_of(NoiseKind noise, std::uint64_t seed, std::size
   samples.truth.resize(3, count);
   samples.family.assign(drawn.size(), example.family);
   double mean_area = 0;
-  for (const double area : result.noisy_area) mean_area += area / static_cast<double>(mesh.face.size());
+  FaceGeometry noisy;
+  noisy.measure(mesh, mesh.position, job);
+  for (const double area : noisy.area) mean_area += area / static_cast<double>(mesh.face.size());
   samples.weight.resize(count);
   NetworkInputs face_inputs;
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -104,7 +106,7 @@ std::optional<Samples> samples_of(NoiseKind noise, std::uint64_t seed, std::size
     }
     for (int axis = 0; axis < 3; ++axis) samples.truth(axis, i) = static_cast<float>(truth[f][axis]);
     // Between a mean over faces and one over areas, so that slivers count for less.
-    samples.weight[i] = static_cast<float>(std::min(1.0, 0.3 + 0.7 * result.noisy_area[f] / mean_area));
+    samples.weight[i] = static_cast<float>(std::min(1.0, 0.3 + 0.7 * noisy.area[f] / mean_area));
   }
   // Each mesh counts for how far it is above what can be reached on it.
   double best = 180;

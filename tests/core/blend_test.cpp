@@ -308,7 +308,7 @@ TEST(Blend, NetworksFitTheCandidates) {
     EXPECT_EQ(input_count(candidates.size(), candidates.scalar.size()), table.sizes[0]);
   };
   const Candidates first = first_candidates(result, job);
-  const Candidates second = second_candidates(result, result.noisy_normal, job);
+  const Candidates second = second_candidates(result, Array<UnitNormal>(mesh.face.size(), UnitNormal::UnitX()), job);
   for (const BlendWeights* weights : {&white_noise_weights(), &correlated_noise_weights()}) {
     fits(first, weights->first);
     fits(second, weights->second);

@@ -9,7 +9,6 @@
 #include "mesh_arrays.h"
 #include "noise_estimate.h"
 #include "ring_means.h"
-#include "unit_normals.h"
 #include "whole_medians.h"
 
 namespace vcg_core::detail {
@@ -25,8 +24,6 @@ struct CoarseResult {
   RingMeans rings;
   FaceLists within;
   Array<double> spacing;
-  Array<UnitNormal> noisy_normal;  ///< by face, as the next
-  Array<double> noisy_area;
   Array<Vec3> position;  ///< after the coarse rounds
   FaceGeometry faces;    ///< there
 };

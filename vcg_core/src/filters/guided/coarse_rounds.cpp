@@ -30,8 +30,6 @@ CoarseRounds::CoarseRounds(const PassInput& input, const GuidedSettings& setting
 }
 
 void CoarseRounds::run() {
-  noisy_normal_ = in_single(faces_.normal, job_);
-  noisy_area_ = faces_.area;
   find_neighbourhoods();
   const int rounds = settings_.coarse_rounds > 0 ? settings_.coarse_rounds : rounds_for_noise();
   for (int round = 0; round < rounds; ++round) {
@@ -43,19 +41,8 @@ void CoarseRounds::run() {
 }
 
 CoarseResult CoarseRounds::take_result() {
-  return {in_.mesh,
-          settings_,
-          in_.movable,
-          in_.position,
-          estimate_,
-          medians_,
-          std::move(rings_),
-          std::move(within_),
-          std::move(spacing_),
-          std::move(noisy_normal_),
-          std::move(noisy_area_),
-          std::move(position_),
-          std::move(faces_)};
+  return {in_.mesh,          settings_,          in_.movable,         in_.position,         estimate_,        medians_,
+          std::move(rings_), std::move(within_), std::move(spacing_), std::move(position_), std::move(faces_)};
 }
 
 void CoarseRounds::find_neighbourhoods() {

@@ -4,6 +4,7 @@
 #include "coarse_result.h"
 #include "filters/filter.h"
 #include "noise_estimate.h"
+#include "unit_normals.h"
 #include "whole_medians.h"
 
 namespace vcg_core::detail {
@@ -43,8 +44,6 @@ class CoarseRounds {
   Array<Vec3> position_;
   RingMeans rings_;
   FaceGeometry faces_;  ///< at first the noisy ones
-  Array<UnitNormal> noisy_normal_;
-  Array<double> noisy_area_;
   NoiseEstimate estimate_;
   WholeMedians medians_;
   Array<Index> across_;

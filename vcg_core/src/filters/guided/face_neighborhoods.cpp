@@ -24,24 +24,6 @@ std::size_t faces_of(const MeshTopology& topology, Index v) {
   return topology.star_begin[v + 1] - topology.star_begin[v];
 }
 
-/// Faces that were seen from the current one.
-class Marks {
- public:
-  explicit Marks(std::size_t size) : seen_from_(size) {}
-  void begin(Index current) { current_ = current; }
-  void forget_all() { seen_from_.clear(); }
-  /// Whether it was not marked before.
-  bool add(Index f) {
-    if (seen_from_[f] == current_) return false;
-    seen_from_.set(f, current_);
-    return true;
-  }
-
- private:
-  SparseIndexMap seen_from_;
-  Index current_ = 0;
-};
-
 /// Makes room for what a list will hold in the end by what its first part holds.
 void reserve_for_all(std::size_t part, std::size_t of, std::size_t needed, Array<Index>& list) {
   constexpr double allowance = 1.05;
@@ -63,7 +45,7 @@ FaceLists make_lists(std::size_t faces, Job& job, const Append& append) {
     const std::size_t chunk_count = (count + grain - 1) / grain;
     std::vector<Array<Index>> part(chunk_count);
     job.parallel(count, grain, Loop::minor, [&](Chunks& chunks) {
-      Marks marks(faces);
+      FaceMarks marks(faces);
       while (chunks.next()) {
         Array<Index>& list = part[chunks.index()];
         marks.forget_all();
@@ -154,26 +136,40 @@ Array<Index> faces_across(const MeshArrays& mesh, Job& job) {
   return across;
 }
 
-FaceLists faces_around(const MeshArrays& mesh, const Array<Index>& across, Job& job) {
-  const MeshTopology& topology = mesh.topology;
-  return make_lists(mesh.face.size(), job, [&](Index f, Marks& marks, Array<Index>& list) {
-    const auto add = [&](Index g) {
-      if (g != no_face && marks.add(g)) list.push_back(g);
-    };
-    add(f);
-    for (int k = 0; k < 3; ++k) add(across[3 * f + static_cast<Index>(k)]);
-    for (Index k = 0; k < 3; ++k) {
-      const Index v = mesh.face[f][k];
-      if (faces_of(topology, v) > many_faces) continue;
-      if (topology.is_on_crease(v)) {
-        Array<Index> sector;
-        add_faces_of_sector(mesh, v, 3 * f + k, sector);
-        for (const Index g : sector) add(g);
-        continue;
-      }
-      for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) add(topology.star[s] / 3);
+FacesAround::FacesAround(const MeshArrays& mesh, const Array<Index>& across)
+    : mesh_(mesh), across_(across), marks_(mesh.face.size()) {}
+
+void FacesAround::append(Index f, FaceMarks& marks, Array<Index>& list) const {
+  const MeshTopology& topology = mesh_.topology;
+  const auto add = [&](Index g) {
+    if (g != no_face && marks.add(g)) list.push_back(g);
+  };
+  add(f);
+  for (int k = 0; k < 3; ++k) add(across_[3 * f + static_cast<Index>(k)]);
+  for (Index k = 0; k < 3; ++k) {
+    const Index v = mesh_.face[f][k];
+    if (faces_of(topology, v) > many_faces) continue;
+    if (topology.is_on_crease(v)) {
+      Array<Index> sector;
+      add_faces_of_sector(mesh_, v, 3 * f + k, sector);
+      for (const Index g : sector) add(g);
+      continue;
     }
-  });
+    for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) add(topology.star[s] / 3);
+  }
+}
+
+const Array<Index>& FacesAround::find(Index f) {
+  list_.clear();
+  marks_.begin(f);
+  append(f, marks_, list_);
+  return list_;
+}
+
+FaceLists faces_around(const MeshArrays& mesh, const Array<Index>& across, Job& job) {
+  const FacesAround around(mesh, across);
+  return make_lists(mesh.face.size(), job,
+                    [&](Index f, FaceMarks& marks, Array<Index>& list) { around.append(f, marks, list); });
 }
 
 Array<double> local_spacing(const MeshArrays& mesh, bool follow_edge_length, double least, Job& job) {
@@ -201,7 +197,7 @@ Array<double> local_spacing(const MeshArrays& mesh, bool follow_edge_length, dou
 FaceLists faces_within(const FaceLists& around, const Array<Vec3>& centroid, const Array<double>& spacing,
                        double radius, Job& job) {
   constexpr std::size_t fewest = 4;
-  return make_lists(centroid.size(), job, [&](Index f, Marks& marks, Array<Index>& list) {
+  return make_lists(centroid.size(), job, [&](Index f, FaceMarks& marks, Array<Index>& list) {
     const std::size_t begin = list.size();
     const double limit = radius * spacing[f] * radius * spacing[f];
     marks.add(f);

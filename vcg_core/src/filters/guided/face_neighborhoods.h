@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "mesh_arrays.h"
+#include "sparse_index_map.h"
 
 namespace vcg_core::detail {
 
@@ -22,6 +23,46 @@ constexpr Index no_face = static_cast<Index>(-1);
 /// The face across each edge, by corner: the edge opposite to the corner. `no_face` at borders, at edges with three
 /// or more faces and at creases.
 Array<Index> faces_across(const MeshArrays& mesh, Job& job);
+
+/// Faces that were seen from the current one.
+class FaceMarks {
+ public:
+  explicit FaceMarks(std::size_t faces) : seen_from_(faces) {}
+  void begin(Index current) { current_ = current; }
+  /// Keeps the memory small: to be called now and then.
+  void forget_all() { seen_from_.clear(); }
+  /// Whether it was not marked before.
+  bool add(Index f) {
+    if (seen_from_[f] == current_) return false;
+    seen_from_.set(f, current_);
+    return true;
+  }
+
+ private:
+  SparseIndexMap seen_from_;
+  Index current_ = 0;
+};
+
+/// Finds the faces of faces_around(), for who needs them once: the lists of all are a hundred bytes a vertex. Each
+/// thread has one of its own.
+class FacesAround {
+ public:
+  /// Refers to both.
+  FacesAround(const MeshArrays& mesh, const Array<Index>& across);
+
+  /// Valid until the next call.
+  const Array<Index>& find(Index f);
+  void forget_all() { marks_.forget_all(); }
+
+  /// Adds them to the end of a list.
+  void append(Index f, FaceMarks& marks, Array<Index>& list) const;
+
+ private:
+  const MeshArrays& mesh_;
+  const Array<Index>& across_;
+  FaceMarks marks_;
+  Array<Index> list_;
+};
 
 /// For each face all faces that share a vertex with it and lie on the same side of the creases there; at vertices with
 /// very many faces only those across an edge, so that the lists stay linear in the mesh.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "blend.h"
 
+#include <utility>
+
 #include "blend_network.h"
 #include "blend_weights.h"
 #include "job.h"
@@ -12,7 +14,7 @@ Array<UnitNormal> blended_normals(CoarseResult& coarse, Job& job) {
   Array<UnitNormal> normal = BlendNetwork(weights.first).blend(first_candidates(coarse, job), job);
   job.report(0.7);
   if (coarse.settings.second_stage)
-    normal = BlendNetwork(weights.second).blend(second_candidates(coarse, normal, job), job);
+    normal = BlendNetwork(weights.second).blend(second_candidates(coarse, std::move(normal), job), job);
   job.report(0.85);
   return normal;
 }

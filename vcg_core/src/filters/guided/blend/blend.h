@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "../unit_normals.h"
 #include "candidates.h"
 #include "mesh_arrays.h"
 

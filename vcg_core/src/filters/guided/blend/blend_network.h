@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "../unit_normals.h"
 #include "candidates.h"
 #include "layer_kernels.h"
 #include "mesh_arrays.h"

@@ -54,6 +54,14 @@ Array<PackedNormal> packed(const Array<Vec3>& normal, Job& job) {
   return small;
 }
 
+/// As it is measured anew in each stage, it need not be kept from the first to the second.
+Array<UnitNormal> noisy_normals(const CoarseResult& coarse, Job& job) {
+  Array<UnitNormal> normal(coarse.mesh.face.size());
+  for_each(normal.size(), job,
+           [&](std::size_t f) { normal[f] = in_single(direction_of_face(area_vector(coarse.mesh, coarse.noisy, f))); });
+  return normal;
+}
+
 Array<PackedNormal> packed_face_normals(const MeshArrays& mesh, const Array<Vec3>& position, Job& job) {
   Array<PackedNormal> small(mesh.face.size());
   for_each(small.size(), job, [&](std::size_t f) {
@@ -108,32 +116,48 @@ class NeighbourhoodMean {
   Job& job_;
 };
 
-/// How far the normals of the faces around each face spread. Its lists of faces are found anew in each stage: kept,
-/// they would be an eighth of the peak.
-class NormalSpread {
+/// A sum of normals by area.
+class NormalsByArea {
  public:
-  NormalSpread(const MeshArrays& mesh, Job& job)
-      : around_(faces_around(mesh, faces_across(mesh, job), job)), job_(job) {}
-
-  /// sqrt(1 - length of the mean unit normal, by area, of the faces around), which grows with the angle between them.
-  Array<float> of(const Array<UnitNormal>& normal, const Array<double>& area) const {
-    Array<float> result(normal.size());
-    for_each(normal.size(), job_, [&](std::size_t f) {
-      Vec3 sum = Vec3::Zero();
-      double total = 0;
-      for (const Index* g = around_.first(f); g != around_.last(f); ++g) {
-        sum += area[*g] * normal[*g].head<3>().cast<double>();
-        total += area[*g];
-      }
-      result[f] = total > 0 ? static_cast<float>(std::sqrt(std::max(0.0, 1 - sum.norm() / total))) : 0;
-    });
-    return result;
+  void add(const UnitNormal& normal, double area) {
+    sum_ += area * normal.head<3>().cast<double>();
+    total_ += area;
+  }
+  /// sqrt(1 - length of the mean unit normal), which grows with the angle between them.
+  float spread() const {
+    return total_ > 0 ? static_cast<float>(std::sqrt(std::max(0.0, 1 - sum_.norm() / total_))) : 0;
   }
 
  private:
-  FaceLists around_;
-  Job& job_;
+  Vec3 sum_ = Vec3::Zero();
+  double total_ = 0;
 };
+
+/// How far the normals of the faces around each face spread: those of two filtered ones, with areas after filtering,
+/// and the noisy ones with theirs.
+void add_spreads(const CoarseResult& coarse, const Array<UnitNormal>& noisy, const Array<UnitNormal>& filtered,
+                 const Array<UnitNormal>& finer, const Array<double>& area, Job& job, Candidates& candidates) {
+  const Array<Index> across = faces_across(coarse.mesh, job);
+  Array<float> spread[3] = {Array<float>(area.size()), Array<float>(area.size()), Array<float>(area.size())};
+  job.parallel(area.size(), grain, Loop::minor, [&](Chunks& chunks) {
+    FacesAround around(coarse.mesh, across);
+    while (chunks.next()) {
+      around.forget_all();
+      for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
+        NormalsByArea of_filtered, of_finer, of_noisy;
+        for (const Index g : around.find(static_cast<Index>(f))) {
+          of_filtered.add(filtered[g], area[g]);
+          of_finer.add(finer[g], area[g]);
+          of_noisy.add(noisy[g], area_vector(coarse.mesh, coarse.noisy, g).norm() / 2);
+        }
+        spread[0][f] = of_filtered.spread();
+        spread[1][f] = of_finer.spread();
+        spread[2][f] = of_noisy.spread();
+      }
+    }
+  });
+  for (Array<float>& one : spread) candidates.scalar.push_back(std::move(one));
+}
 
 void add_scalars(const CoarseResult& coarse, Job& job, Candidates& candidates) {
   const double e = coarse.mesh.topology.average_edge_length;
@@ -236,7 +260,7 @@ Candidates first_candidates(CoarseResult& coarse, Job& job) {
   const NeighbourhoodMean mean(coarse, coarse.faces, job);
   release(coarse.faces.centroid);
   const double range = coarse.settings.fine_range;
-  const Array<UnitNormal>& raw = coarse.noisy_normal;
+  Array<UnitNormal> raw = noisy_normals(coarse, job);
   Array<UnitNormal> filtered = in_single(coarse.faces.normal, job);
   release(coarse.faces.normal);
   Candidates candidates;
@@ -247,29 +271,25 @@ Candidates first_candidates(CoarseResult& coarse, Job& job) {
   add(fine);
   fine = mean.bilateral(std::move(fine), range, 12);
   add(fine);
-  {
-    const NormalSpread spread(coarse.mesh, job);
-    candidates.scalar.push_back(spread.of(filtered, coarse.faces.area));
-    candidates.scalar.push_back(spread.of(fine, coarse.faces.area));
-    candidates.scalar.push_back(spread.of(raw, coarse.noisy_area));
-  }
+  add_spreads(coarse, raw, filtered, fine, coarse.faces.area, job, candidates);
   release(filtered, coarse.faces.area);
   Array<UnitNormal> normal = mean.of_normals(raw);
   add(normal);
   add(mean.of_normals(mean.of_normals(normal)));
   normal = mean.guided(fine, raw, range);
+  release(raw);
   add(normal);
   normal = mean.guided(fine, normal, 4. / 3 * range);
   add(mean.guided(fine, normal, 4. / 3 * range));
-  add_normals(std::move(low), candidates);
   release(fine, normal);
+  add_normals(std::move(low), candidates);
 
   add_scalars(coarse, job, candidates);
   add_context(mean, {{0, 1}, {0, 3}, {1, 3}, {3, 7}, {0, 9}, {3, 10}, {10, 12}, {12, 13}}, job, candidates);
   return candidates;
 }
 
-Candidates second_candidates(const CoarseResult& coarse, const Array<UnitNormal>& blended, Job& job) {
+Candidates second_candidates(const CoarseResult& coarse, Array<UnitNormal> blended, Job& job) {
   constexpr int updates = 10;
   Array<Vec3> position = coarse.noisy;
   update_positions(coarse.mesh, in_double(blended, job), coarse.movable, updates, coarse.settings, position, job);
@@ -281,19 +301,14 @@ Candidates second_candidates(const CoarseResult& coarse, const Array<UnitNormal>
   const NeighbourhoodMean mean(coarse, faces, job);
   release(faces.centroid);
   const double range = coarse.settings.fine_range;
-  const Array<UnitNormal>& raw = coarse.noisy_normal;
+  Array<UnitNormal> raw = noisy_normals(coarse, job);
   Candidates candidates;
   const auto add = [&](const auto& normal) { candidates.normal.push_back(packed(normal, job)); };
   add(raw);
   add(blended);
   Array<UnitNormal> fine = mean.bilateral(blended, range, 3);
   add(fine);
-  {
-    const NormalSpread spread(coarse.mesh, job);
-    candidates.scalar.push_back(spread.of(blended, faces.area));
-    candidates.scalar.push_back(spread.of(fine, faces.area));
-    candidates.scalar.push_back(spread.of(raw, coarse.noisy_area));
-  }
+  add_spreads(coarse, raw, blended, fine, faces.area, job, candidates);
   release(faces.area);
   add(mean.bilateral(fine, range, 7));
   add(mean.bilateral(blended, range / 2, 6));
@@ -302,11 +317,12 @@ Candidates second_candidates(const CoarseResult& coarse, const Array<UnitNormal>
   add(normal);
   add(mean.of_normals(mean.of_normals(normal)));
   normal = mean.guided(blended, raw, 2. / 3 * range);
+  release(raw);
   add(normal);
   add(mean.guided(blended, mean.guided(blended, normal, range), range));
+  release(blended, normal);
   candidates.normal.push_back(std::move(moved));
   add_normals(std::move(low), candidates);
-  release(normal);
 
   add_scalars(coarse, job, candidates);
   add_context(mean, {{0, 1}, {1, 3}, {1, 8}, {1, 10}, {1, 11}, {0, 10}}, job, candidates);

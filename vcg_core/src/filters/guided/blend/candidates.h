@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "../coarse_result.h"
+#include "../unit_normals.h"
 #include "mesh_arrays.h"
 #include "packed_normal.h"
 
@@ -29,7 +30,7 @@ double median_residual(const CoarseResult& coarse, Job& job);
 
 /// The candidates of the second stage, which refines the blend of the first one.
 /// @param blended  by face
-Candidates second_candidates(const CoarseResult& coarse, const Array<UnitNormal>& blended, Job& job);
+Candidates second_candidates(const CoarseResult& coarse, Array<UnitNormal> blended, Job& job);
 
 /// Which candidate of a stage stands in where a blend has no direction.
 constexpr std::size_t safe_candidate = 1;
