@@ -21,11 +21,14 @@ DEFAULTS = {SMOOTHING: {"sigma_c": 2, "sigma_s": 1, "sigma_n": 0.3, "rho": 2, "i
             MEASURES: {}}
 
 
-def write(path, name, **values):
-    """One filter with its defaults and `values` on top."""
-    lines = ["<!DOCTYPE FilterScript>", "<FilterScript>", f' <filter name="{name}">']
-    for parameter, value in {**DEFAULTS[name], **values}.items():
-        extra = ' enum_val0="fixed" enum_val1="free" enum_cardinality="2"' if parameter == "boundary" else ""
-        lines.append(f'  <Param type="{KINDS[parameter]}" name="{parameter}" value="{value}"{extra}/>')
-    path.write_text("\n".join([*lines, " </filter>", "</FilterScript>", ""]))
+def write(path, *names, **values):
+    """Filters one after the other, with their defaults and `values` on top."""
+    lines = ["<!DOCTYPE FilterScript>", "<FilterScript>"]
+    for name in names:
+        lines.append(f' <filter name="{name}">')
+        for parameter, value in {**DEFAULTS[name], **values}.items():
+            extra = ' enum_val0="fixed" enum_val1="free" enum_cardinality="2"' if parameter == "boundary" else ""
+            lines.append(f'  <Param type="{KINDS[parameter]}" name="{parameter}" value="{value}"{extra}/>')
+        lines.append(" </filter>")
+    path.write_text("\n".join([*lines, "</FilterScript>", ""]))
     return path
