@@ -62,12 +62,9 @@ inline float lowest(Quad a) {
 }
 /// Four rows become four columns.
 inline void transpose(Quad& a, Quad& b, Quad& c, Quad& d) {
-  const Quad ab_low = __builtin_shufflevector(a, b, 0, 4, 1, 5), ab_high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
-  const Quad cd_low = __builtin_shufflevector(c, d, 0, 4, 1, 5), cd_high = __builtin_shufflevector(c, d, 2, 6, 3, 7);
-  a = __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5);
-  b = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
-  c = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
-  d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
+  const Quad x{a[0], b[0], c[0], d[0]}, y{a[1], b[1], c[1], d[1]};
+  const Quad z{a[2], b[2], c[2], d[2]}, w{a[3], b[3], c[3], d[3]};
+  a = x, b = y, c = z, d = w;
 }
 /// 2^n for whole n in [-126, 127].
 inline Quad power_of_two(Quad n) { return reinterpret_cast<Quad>((__builtin_convertvector(n, QuadMask) + 127) << 23); }
