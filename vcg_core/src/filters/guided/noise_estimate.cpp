@@ -67,16 +67,25 @@ enum : int {
   vertices
 };
 
-/// The smallest but one of the differences in height between v and its neighbours.
-double second_smallest_jump(const MeshArrays& mesh, const Array<double>& height, std::size_t v) {
+/// The smallest but one of the differences in height between v and its neighbours, whichever way its faces are turned.
+double second_smallest_jump(const MeshArrays& mesh, const Array<double>& height, Index v) {
   const MeshTopology& topology = mesh.topology;
   double smallest = std::numeric_limits<double>::infinity();
   double second = smallest;
-  for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
-    const double jump = std::abs(height[vertex_of(mesh, next_in_face(topology.star[s]))] - height[v]);
-    second = std::min(second, std::max(smallest, jump));
-    smallest = std::min(smallest, jump);
-  }
+  Index nearest = v;
+  for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s)
+    for (const Index corner : {next_in_face(topology.star[s]), previous_in_face(topology.star[s])}) {
+      const Index neighbor = vertex_of(mesh, corner);
+      if (neighbor == nearest) continue;
+      const double jump = std::abs(height[neighbor] - height[v]);
+      if (jump < smallest) {
+        second = smallest;
+        smallest = jump;
+        nearest = neighbor;
+      } else {
+        second = std::min(second, jump);
+      }
+    }
   return second;
 }
 
@@ -98,7 +107,7 @@ Array<Evidence> find_evidence(const MeshArrays& mesh, const RingMeans& rings, co
         const double of_ring = rings.mean(inverse_valence, v);
         // Covariance of h at the ends of an edge with two triangles: -1/k_u - 1/k_v + 2 / (k_u k_v).
         const double covariance = inverse_valence[v] + of_ring - 2 * inverse_valence[v] * of_ring;
-        const double jump = second_smallest_jump(mesh, height, v);
+        const double jump = second_smallest_jump(mesh, height, static_cast<Index>(v));
         evidence[v][opposed] = std::max(0.0, -product);
         evidence[v][squares] = evidence[v][opposed] * evidence[v][opposed];
         evidence[v][agreeing] = std::max(0.0, product);
