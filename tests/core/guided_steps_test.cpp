@@ -161,7 +161,7 @@ TEST_F(GuidedSteps, GuidesAreMeansOfTheMostConsistentPatch) {
       best = inconsistency;
       expected = mean;
     }
-    EXPECT_LT((guide[f] - expected).norm(), 1e-12) << f;
+    EXPECT_LT((guide[f] - expected).norm(), 1e-7) << f;  // guides are in single precision
   }
 }
 
