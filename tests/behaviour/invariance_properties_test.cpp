@@ -63,8 +63,8 @@ Draw draw_method() {
   }
   if (info.uses(&vcg_core::SmoothingParameters::rho)) {
     drawn.parameters.sigma_c = draw_real(0.7, 2.5);
-    drawn.share = 0.02;               // a distance next to the cut-off
-    drawn.parameters.iterations = 1;  // a second pass would carry what differs at one vertex to all around it
+    // A distance next to the cut-off; what it changes at one vertex, later passes carry to those around.
+    drawn.share = 0.02 * std::max(1, drawn.parameters.iterations * drawn.parameters.iterations);
   }
   if (info.method == Method::guided) {
     drawn.parameters.blend = *rc::gen::element(vcg_core::Blend::on, vcg_core::Blend::off);

@@ -57,8 +57,8 @@ FreedBlocks& freed_blocks() {
 
 }  // namespace
 
-// Straight from the system and straight back to it: a heap keeps what is freed between two blocks, a third of all
-// memory where arrays of some dozen megabytes come and go.
+// From the system, not from a heap: that keeps what is freed between two blocks, a third of all memory where arrays of
+// some dozen megabytes come and go.
 void* allocate_array(std::size_t bytes) {
   if (bytes < large) return ::operator new(bytes);
   if (bytes > (std::numeric_limits<std::size_t>::max)() / 2) throw std::bad_alloc();

@@ -32,8 +32,8 @@ struct Needs {
 };
 
 Needs needs_of(vcg_core::Method method) {
-  if (method == vcg_core::Method::guided) return {900, 120, 8, 900};
-  return {720, 40, 0, 620};  // of the reach about 12, the rest are cells
+  if (method == vcg_core::Method::guided) return {1150, 120, 8, 1150};  // even meshes take 800
+  return {720, 40, 0, 620};                                             // of the reach about 12, the rest are cells
 }
 
 /// Vertices of a tile's piece, where tiles are not tiny.

@@ -32,6 +32,37 @@ void reserve_for_all(std::size_t part, std::size_t of, std::size_t needed, Array
   list.reserve(std::max(needed, static_cast<std::size_t>(expected)));
 }
 
+/// Adds the lists of `count` faces from `first` on.
+template <class Append>
+void add_lists(std::size_t first, std::size_t count, std::size_t faces, Job& job, const Append& append,
+               FaceLists& lists) {
+  const std::size_t chunk_count = (count + grain - 1) / grain;
+  std::vector<Array<Index>> part(chunk_count);
+  job.parallel(count, grain, Loop::minor, [&](Chunks& chunks) {
+    FaceMarks marks(faces);
+    while (chunks.next()) {
+      Array<Index>& list = part[chunks.index()];
+      marks.forget_all();
+      for (std::size_t f = first + chunks.begin(); f < first + chunks.end(); ++f) {
+        const std::size_t before = list.size();
+        marks.begin(static_cast<Index>(f));
+        append(static_cast<Index>(f), marks, list);
+        lists.begin[f + 1] = list.size() - before;
+      }
+    }
+  });
+  job.serial(count, [&](std::size_t i) { lists.begin[first + i + 1] += lists.begin[first + i]; });
+  const std::size_t end = lists.begin[first + count];
+  reserve_for_all(first + count, faces, end, lists.face);
+  lists.face.resize(end);
+  job.parallel(chunk_count, 1, Loop::minor, [&](Chunks& chunks) {
+    while (chunks.next())
+      for (std::size_t c = chunks.begin(); c < chunks.end(); ++c)
+        std::copy(part[c].begin(), part[c].end(),
+                  lists.face.begin() + static_cast<std::ptrdiff_t>(lists.begin[first + c * grain]));
+  });
+}
+
 /// Makes lists in parallel: `append(f, marks, list)` adds those of one face to the end of its chunk's list. One stretch
 /// of the faces after the other, so that little is in memory twice.
 template <class Append>
@@ -40,34 +71,8 @@ FaceLists make_lists(std::size_t faces, Job& job, const Append& append) {
   const std::size_t stretch = std::max(fewest_chunks, faces / stretches / grain + 1) * grain;
   FaceLists lists;
   lists.begin.assign(faces + 1, 0);
-  for (std::size_t first = 0; first < faces; first += stretch) {
-    const std::size_t count = std::min(stretch, faces - first);
-    const std::size_t chunk_count = (count + grain - 1) / grain;
-    std::vector<Array<Index>> part(chunk_count);
-    job.parallel(count, grain, Loop::minor, [&](Chunks& chunks) {
-      FaceMarks marks(faces);
-      while (chunks.next()) {
-        Array<Index>& list = part[chunks.index()];
-        marks.forget_all();
-        for (std::size_t f = first + chunks.begin(); f < first + chunks.end(); ++f) {
-          const std::size_t before = list.size();
-          marks.begin(static_cast<Index>(f));
-          append(static_cast<Index>(f), marks, list);
-          lists.begin[f + 1] = list.size() - before;
-        }
-      }
-    });
-    job.serial(count, [&](std::size_t i) { lists.begin[first + i + 1] += lists.begin[first + i]; });
-    const std::size_t end = lists.begin[first + count];
-    reserve_for_all(first + count, faces, end, lists.face);
-    lists.face.resize(end);
-    job.parallel(chunk_count, 1, Loop::minor, [&](Chunks& chunks) {
-      while (chunks.next())
-        for (std::size_t c = chunks.begin(); c < chunks.end(); ++c)
-          std::copy(part[c].begin(), part[c].end(),
-                    lists.face.begin() + static_cast<std::ptrdiff_t>(lists.begin[first + c * grain]));
-    });
-  }
+  for (std::size_t first = 0; first < faces; first += stretch)
+    add_lists(first, std::min(stretch, faces - first), faces, job, append, lists);
   return lists;
 }
 
@@ -136,22 +141,23 @@ Array<Index> faces_across(const MeshArrays& mesh, Job& job) {
   return across;
 }
 
-FacesAround::FacesAround(const MeshArrays& mesh, const Array<Index>& across)
-    : mesh_(mesh), across_(across), marks_(mesh.face.size()) {}
+namespace {
 
-void FacesAround::append(Index f, FaceMarks& marks, Array<Index>& list) const {
-  const MeshTopology& topology = mesh_.topology;
+/// Adds them to the end of a list.
+void append_faces_around(const MeshArrays& mesh, const Array<Index>& across, Index f, FaceMarks& marks,
+                         Array<Index>& list) {
+  const MeshTopology& topology = mesh.topology;
   const auto add = [&](Index g) {
     if (g != no_face && marks.add(g)) list.push_back(g);
   };
   add(f);
-  for (int k = 0; k < 3; ++k) add(across_[3 * f + static_cast<Index>(k)]);
+  for (int k = 0; k < 3; ++k) add(across[3 * f + static_cast<Index>(k)]);
   for (Index k = 0; k < 3; ++k) {
-    const Index v = mesh_.face[f][k];
+    const Index v = mesh.face[f][k];
     if (faces_of(topology, v) > many_faces) continue;
     if (topology.is_on_crease(v)) {
       Array<Index> sector;
-      add_faces_of_sector(mesh_, v, 3 * f + k, sector);
+      add_faces_of_sector(mesh, v, 3 * f + k, sector);
       for (const Index g : sector) add(g);
       continue;
     }
@@ -159,17 +165,22 @@ void FacesAround::append(Index f, FaceMarks& marks, Array<Index>& list) const {
   }
 }
 
+}  // namespace
+
+FaceLists faces_around(const MeshArrays& mesh, const Array<Index>& across, Job& job) {
+  return make_lists(mesh.face.size(), job, [&](Index f, FaceMarks& marks, Array<Index>& list) {
+    append_faces_around(mesh, across, f, marks, list);
+  });
+}
+
+FacesAround::FacesAround(const MeshArrays& mesh, const Array<Index>& across)
+    : mesh_(mesh), across_(across), marks_(mesh.face.size()) {}
+
 const Array<Index>& FacesAround::find(Index f) {
   list_.clear();
   marks_.begin(f);
-  append(f, marks_, list_);
+  append_faces_around(mesh_, across_, f, marks_, list_);
   return list_;
-}
-
-FaceLists faces_around(const MeshArrays& mesh, const Array<Index>& across, Job& job) {
-  const FacesAround around(mesh, across);
-  return make_lists(mesh.face.size(), job,
-                    [&](Index f, FaceMarks& marks, Array<Index>& list) { around.append(f, marks, list); });
 }
 
 Array<double> local_spacing(const MeshArrays& mesh, bool follow_edge_length, double least, Job& job) {

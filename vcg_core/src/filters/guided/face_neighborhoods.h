@@ -54,9 +54,6 @@ class FacesAround {
   const Array<Index>& find(Index f);
   void forget_all() { marks_.forget_all(); }
 
-  /// Adds them to the end of a list.
-  void append(Index f, FaceMarks& marks, Array<Index>& list) const;
-
  private:
   const MeshArrays& mesh_;
   const Array<Index>& across_;

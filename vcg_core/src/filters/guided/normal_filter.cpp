@@ -101,7 +101,7 @@ void visit_by_fours(const Index* face, const float* weight, std::size_t count, c
   body(last_face, quad::set(last_weight[0], last_weight[1], last_weight[2], last_weight[3]));
 }
 
-/// Filters each normal by sum(f, faces, weights, result), which adds four neighbours.
+/// Gives each normal the direction of sum_of(f, faces, weights, count) over its neighbours.
 template <class Sum>
 Array<UnitNormal> filter_each(const FaceLists& within, const Array<float>& weight, const Array<UnitNormal>& normal,
                               Job& job, const Sum& sum_of) {

@@ -48,13 +48,7 @@ Array<PackedNormal> packed(const Array<UnitNormal>& normal, Job& job) {
   return small;
 }
 
-Array<PackedNormal> packed(const Array<Vec3>& normal, Job& job) {
-  Array<PackedNormal> small(normal.size());
-  for_each(normal.size(), job, [&](std::size_t f) { small[f] = PackedNormal(normal[f].cast<float>()); });
-  return small;
-}
-
-/// As it is measured anew in each stage, it need not be kept from the first to the second.
+/// Measured anew in each stage, so that they need not be kept from the first to the second.
 Array<UnitNormal> noisy_normals(const CoarseResult& coarse, Job& job) {
   Array<UnitNormal> normal(coarse.mesh.face.size());
   for_each(normal.size(), job,
@@ -264,7 +258,7 @@ Candidates first_candidates(CoarseResult& coarse, Job& job) {
   Array<UnitNormal> filtered = in_single(coarse.faces.normal, job);
   release(coarse.faces.normal);
   Candidates candidates;
-  const auto add = [&](const auto& normal) { candidates.normal.push_back(packed(normal, job)); };
+  const auto add = [&](const Array<UnitNormal>& normal) { candidates.normal.push_back(packed(normal, job)); };
   add(raw);
   add(filtered);
   Array<UnitNormal> fine = mean.bilateral(filtered, range, 4);
@@ -295,15 +289,15 @@ Candidates second_candidates(const CoarseResult& coarse, Array<UnitNormal> blend
   update_positions(coarse.mesh, in_double(blended, job), coarse.movable, updates, coarse.settings, position, job);
   FaceGeometry faces;
   std::vector<Array<PackedNormal>> low = band_limited_normals(coarse, position, second_cut_offs, job);
+  Array<PackedNormal> moved = packed_face_normals(coarse.mesh, position, job);
   faces.measure(coarse.mesh, position, job);
-  Array<PackedNormal> moved = packed(faces.normal, job);
   release(position, faces.normal);
   const NeighbourhoodMean mean(coarse, faces, job);
   release(faces.centroid);
   const double range = coarse.settings.fine_range;
   Array<UnitNormal> raw = noisy_normals(coarse, job);
   Candidates candidates;
-  const auto add = [&](const auto& normal) { candidates.normal.push_back(packed(normal, job)); };
+  const auto add = [&](const Array<UnitNormal>& normal) { candidates.normal.push_back(packed(normal, job)); };
   add(raw);
   add(blended);
   Array<UnitNormal> fine = mean.bilateral(blended, range, 3);

@@ -21,7 +21,7 @@ struct Candidates {
 /// The candidates of the first stage: the normals of the noisy faces; those after the coarse rounds; the latter after 4
 /// and after 16 fine rounds; the noisy ones averaged over the neighbourhood once and three times, without and with the
 /// finest ones as guide; and those of band-limited positions. Frees the
-/// coarse faces, which nothing else needs.
+/// coarse positions and faces, which nothing else needs.
 Candidates first_candidates(CoarseResult& coarse, Job& job);
 
 /// Median distance of the noisy vertices from the coarse ones along the normal, over the whole mesh: the next one of
