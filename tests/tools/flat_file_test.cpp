@@ -4,6 +4,8 @@
 #include <mesh_tools/mesh_io.h>
 
 #include <array>
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <utility>
@@ -63,6 +65,59 @@ TEST_F(FlatFiles, are_written_anew_where_the_source_has_changed_in_place) {
   const FlatFile again = mesh_tools::read_flat(path("b.ply"));
   EXPECT_EQ(again.mesh.face, file.mesh.face);
   EXPECT_EQ(again.polygons.polygons.size(), 1u);
+}
+
+/// Binary STL of this many facets, each with a colour of its own, and some bytes behind them.
+std::string colored_stl(std::uint32_t facets, const std::string& title) {
+  std::string bytes = title;
+  bytes.resize(80, ' ');
+  const auto append = [&bytes](const auto& value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  append(facets);
+  for (std::uint32_t f = 0; f < facets; ++f) {
+    const auto x = static_cast<float>(f);
+    for (const float number : {0.f, 0.f, 1.f, x, 0.f, 0.f, x + 1, 0.f, 0.f, x, 1.f, 0.f}) append(number);
+    append(static_cast<std::uint16_t>(f % 0x7fff + (f + 1 == facets ? 0x8000 : 0)));  // marked is the last one only
+  }
+  return bytes + "behind";
+}
+
+TEST_F(FlatFiles, of_binary_stl_that_are_read_in_parts_are_those_read_at_once) {
+  for (const char* title : {"parts", "solid, which makes readers look for text"}) {
+    const fs::path input = write("large.stl", colored_stl(20000, title));
+    SourceFile source;
+    FlatFile parts = mesh_tools::read_flat(input, &source);
+    mesh_tools::OriginalFile original;
+    mesh_tools::MeshFile at_once = mesh_tools::read_mesh(input, &original);
+    const FlatFile flat = mesh_tools::to_flat(at_once);
+    EXPECT_EQ(parts.mesh.face, flat.mesh.face);
+    ASSERT_EQ(parts.mesh.face_color.size(), 20000u);
+    EXPECT_EQ(parts.mesh.face_color[0], vcg::Color4b(255, 255, 255, 255));
+    EXPECT_EQ(parts.mesh.face_color[19999], vcg::Color4b::FromUnsignedB5G5R5(19999));
+    mesh_tools::write_moved(parts, source, path("same.stl"), false);
+    EXPECT_EQ(bytes_of(path("same.stl")), bytes_of(input));
+
+    for (const std::size_t v : {std::size_t(5), parts.mesh.vertices() - 1}) {
+      parts.mesh.position.set(v, {-1, 2, 3});
+      at_once.mesh.vert[v].P() = {-1, 2, 3};
+    }
+    mesh_tools::write_moved(parts, source, path("parts.stl"), false);
+    mesh_tools::write_moved(at_once, std::move(original), path("at_once.stl"), false);
+    EXPECT_EQ(bytes_of(path("parts.stl")), bytes_of(path("at_once.stl")));
+    EXPECT_NE(bytes_of(path("parts.stl")), bytes_of(input));
+  }
+}
+
+TEST_F(FlatFiles, that_no_longer_fit_their_source_leave_nothing_behind) {
+  const fs::path input = write("large.stl", colored_stl(20000, "parts"));
+  SourceFile source;
+  FlatFile file = mesh_tools::read_flat(input, &source);
+  file.mesh.face.pop_back();
+  EXPECT_THROW(mesh_tools::write_moved(file, source, path("out.stl"), false), mesh_tools::FileError);
+  std::size_t files = 0;
+  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(input.parent_path())) ++files;
+  EXPECT_EQ(files, 1u);
 }
 
 TEST_F(FlatFiles, come_back_from_vcglib_without_what_was_deleted_there) {

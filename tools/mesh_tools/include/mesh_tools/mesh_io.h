@@ -85,7 +85,11 @@ class SourceFile {
   explicit SourceFile(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return file_.path(); }
-  std::string read() const;  ///< @throws FileError
+  std::size_t size() const { return file_.state().size; }  ///< when it was opened
+  std::string read() const;                                ///< @throws FileError
+  /// `count` bytes from `offset` on, which are there.
+  /// @throws FileError
+  void read(std::size_t offset, char* bytes, std::size_t count) const;
   bool has_changed() const;  ///< whether its size or its time is another one than when it was opened
 
  private:

@@ -14,11 +14,13 @@
 /// One reader and one writer for each format; read_mesh and write_mesh choose and see to files, permissions, renaming.
 namespace mesh_tools::io {
 
+class ByteSource;
+
 /// Readers take the file's bytes; its path is for messages and for what it refers to.
 FlatFile read_ply(const std::string& bytes, const std::filesystem::path& path);
 FlatFile read_obj(const std::string& bytes, const std::filesystem::path& path);
 FlatFile read_off(const std::string& bytes, const std::filesystem::path& path);
-FlatFile read_stl(const std::string& bytes, const std::filesystem::path& path);
+FlatFile read_stl(ByteSource& bytes, const std::filesystem::path& path);
 FlatFile read_gltf(const std::string& bytes, const std::filesystem::path& path);
 
 /// Writers give the file's bytes.
@@ -36,6 +38,7 @@ ObjBytes obj_bytes(const FlatFile& file, const std::vector<std::string>& texture
 
 /// Binary STL: 80 bytes of header and a count, then facets of 50 bytes.
 constexpr std::size_t stl_header_size = 84, stl_facet_size = 50;
+constexpr std::size_t stl_facet_offset(std::size_t facet) { return stl_header_size + facet * stl_facet_size; }
 struct StlLayout {
   bool is_binary = false;    ///< as its size says
   bool may_be_text = false;  ///< if it is not binary
@@ -44,7 +47,7 @@ struct StlLayout {
 };
 /// How to read a file that may be STL. Bytes may follow the last facet of a binary file, and its count may be too small
 /// if nothing else follows.
-StlLayout stl_layout(const std::string& bytes);
+StlLayout stl_layout(ByteSource& bytes);
 
 /// The first words of lines in text STL, in small letters or capitals.
 enum class StlKeyword { none, comment, solid, facet, loop, vertex, end_of_facet };

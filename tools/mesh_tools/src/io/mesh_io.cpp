@@ -12,6 +12,7 @@
 #include <durable_files/pending_file.h>
 #include <vcg/complex/algorithms/update/normal.h>
 
+#include "byte_source.h"
 #include "file_names.h"
 #include "formats.h"
 #include "polygons.h"
@@ -94,14 +95,25 @@ void as_file_errors(Function write) {
   }
 }
 
+/// A file, and what writes it, part by part.
+struct Writing {
+  fs::path path;
+  std::function<void(durable_files::PendingFile&)> write;
+};
+
+Writing writing_of(TextFile file) {
+  return {std::move(file.path),
+          [text = std::move(file.text)](durable_files::PendingFile& pending) { pending.write(text); }};
+}
+
 /// Writes files that appear together: all are complete and on the disk before the first gets its name, in this order.
-void write_together(const std::vector<TextFile>& files, const std::function<bool()>& interrupted) {
+void write_together(const std::vector<Writing>& files, const std::function<bool()>& interrupted) {
   as_file_errors([&] {
     std::list<durable_files::PendingFile> pending;
-    for (const TextFile& file : files) {
+    for (const Writing& file : files) {
       check_place(file.path);
       pending.emplace_back(file.path);
-      pending.back().write(file.text);
+      file.write(pending.back());
       pending.back().complete();
     }
     if (interrupted && interrupted()) throw WriteInterrupted();
@@ -185,13 +197,13 @@ void check_readable(const fs::path& path) {
   if (fs::file_size(path, error) == 0) io::fail(path, "is empty");
 }
 
-FlatFile read_from(const std::string& bytes, const fs::path& path) {
+FlatFile read_from(io::ByteSource& bytes, const fs::path& path) {
   const std::string kind = extension(path);
-  FlatFile file = kind == ".ply"   ? io::read_ply(bytes, path)
-                  : kind == ".obj" ? io::read_obj(bytes, path)
-                  : kind == ".off" ? io::read_off(bytes, path)
+  FlatFile file = kind == ".ply"   ? io::read_ply(bytes.whole(), path)
+                  : kind == ".obj" ? io::read_obj(bytes.whole(), path)
+                  : kind == ".off" ? io::read_off(bytes.whole(), path)
                   : kind == ".stl" ? io::read_stl(bytes, path)
-                                   : io::read_gltf(bytes, path);
+                                   : io::read_gltf(bytes.whole(), path);
   check_complete(file.mesh, path);
   io::cut_polygons(file);
   if (file.mesh.vertices() == 0) io::fail(path, "holds no vertices");
@@ -204,7 +216,8 @@ FlatFile read_from(const std::string& bytes, const fs::path& path) {
 MeshFile read_mesh(const fs::path& path, OriginalFile* original) {
   check_readable(path);
   std::string bytes = SourceFile(path).read();
-  FlatFile file = read_from(bytes, path);
+  io::BytesInMemory in_memory(bytes);
+  FlatFile file = read_from(in_memory, path);
   if (original)
     *original = {path, std::move(bytes)};
   else
@@ -215,7 +228,10 @@ MeshFile read_mesh(const fs::path& path, OriginalFile* original) {
 FlatFile read_flat(const fs::path& path, SourceFile* source) {
   check_readable(path);
   SourceFile opened(path);
-  FlatFile file = read_from(opened.read(), path);
+  FlatFile file = [&] {
+    io::BytesOfFile bytes(opened);
+    return read_from(bytes, path);
+  }();
   if (source) *source = std::move(opened);
   return file;
 }
@@ -231,7 +247,7 @@ std::vector<std::string> write_mesh(const FlatFile& file, const fs::path& path,
   const std::string kind = extension(path);
   int capability = 0;
   std::string bytes;
-  std::vector<TextFile> together;
+  std::vector<Writing> together;
   std::vector<std::string> textures = file.mesh.textures;
   if (file.folder)
     for (std::string& name : textures) name = io::moved_file_name(name, *file.folder, path.parent_path());
@@ -243,7 +259,7 @@ std::vector<std::string> write_mesh(const FlatFile& file, const fs::path& path,
     const fs::path material_path = files_of(path).back();
     io::ObjBytes obj = io::obj_bytes(file, textures, material_path.filename().string());
     bytes = std::move(obj.mesh);
-    if (!obj.materials.empty()) together.push_back({material_path, std::move(obj.materials)});
+    if (!obj.materials.empty()) together.push_back(writing_of({material_path, std::move(obj.materials)}));
   } else if (kind == ".off") {
     capability = io::off_attributes;
     bytes = io::off_bytes(file);
@@ -251,8 +267,8 @@ std::vector<std::string> write_mesh(const FlatFile& file, const fs::path& path,
     capability = io::stl_attributes;
     bytes = io::stl_bytes(file);
   }
-  if (with) together.push_back(*with);
-  together.push_back({path, std::move(bytes)});  // last: who sees the mesh finds the others
+  if (with) together.push_back(writing_of(*with));
+  together.push_back(writing_of({path, std::move(bytes)}));  // last: who sees the mesh finds the others
   write_together(together, interrupted);
   std::vector<std::string> lost = file.not_kept;
   const std::size_t polygons = file.polygons.polygons.size();
@@ -272,30 +288,42 @@ std::vector<std::string> write_anew(FlatFile& file, const fs::path& path, const 
   return write_mesh(file, path, interrupted, with);
 }
 
-/// With the original's bytes and other numbers.
-std::vector<std::string> write_spliced(FlatFile& file, std::string bytes, const fs::path& from, const fs::path& path,
-                                       bool recolored, const std::function<bool()>& interrupted, const TextFile* with) {
+/// The original's bytes with other numbers, of STL part by part.
+std::vector<Writing> spliced(io::ByteSource& bytes, const io::SpliceInput& input, const fs::path& path) {
   const std::string kind = extension(path);
+  if (kind == ".stl")
+    return {{path, [&bytes, input](durable_files::PendingFile& pending) {
+               io::splice_stl(bytes, input, [&pending](std::string_view part) { pending.write(part); });
+             }}};
+  std::vector<Writing> writings;
+  std::string text;
+  if (is_gltf(kind)) {
+    io::SplicedFiles files = io::splice_gltf(bytes.take(), input, path);
+    text = std::move(files.mesh);
+    for (TextFile& beside : files.beside) writings.push_back(writing_of(std::move(beside)));
+  } else {
+    text = kind == ".ply"   ? io::splice_ply(bytes.take(), input, path)
+           : kind == ".obj" ? io::splice_obj(bytes.take(), input, path)
+                            : io::splice_off(bytes.take(), input);
+  }
+  writings.push_back(writing_of({path, std::move(text)}));
+  return writings;
+}
+
+/// With the original's bytes and other numbers, where they have room for them.
+std::vector<std::string> write_spliced(FlatFile& file, io::ByteSource& bytes, const fs::path& from,
+                                       const fs::path& path, bool recolored, const std::function<bool()>& interrupted,
+                                       const TextFile* with) {
   const io::SpliceInput input{file, from, recolored};
-  std::vector<TextFile> together;
-  if (with) together.push_back(*with);
+  std::vector<Writing> together;
   try {
-    if (is_gltf(kind)) {
-      io::SplicedFiles files = io::splice_gltf(std::move(bytes), input, path);
-      bytes = std::move(files.mesh);
-      for (TextFile& beside : files.beside) together.push_back(std::move(beside));
-    } else {
-      bytes = kind == ".ply"   ? io::splice_ply(std::move(bytes), input, path)
-              : kind == ".obj" ? io::splice_obj(std::move(bytes), input, path)
-              : kind == ".off" ? io::splice_off(std::move(bytes), input)
-                               : io::splice_stl(std::move(bytes), input);
-    }
+    together = spliced(bytes, input, path);
   } catch (const io::NoRoom& reason) {
     std::vector<std::string> lost = write_anew(file, path, interrupted, with);
     lost.insert(lost.begin(), from.string() + ": " + reason.what());
     return lost;
   }
-  together.push_back({path, std::move(bytes)});
+  if (with) together.insert(together.begin(), writing_of(*with));
   write_together(together, interrupted);
   return {};
 }
@@ -307,15 +335,18 @@ std::vector<std::string> write_moved(MeshFile& file, OriginalFile original, cons
   FlatFile flat = to_flat(file);
   if (extension(path) != extension(original.path)) return write_anew(flat, path, interrupted, with);
   check_writable(path, original.path);
-  return write_spliced(flat, std::move(original.bytes), original.path, path, recolored, interrupted, with);
+  io::BytesInMemory bytes(original.bytes);
+  return write_spliced(flat, bytes, original.path, path, recolored, interrupted, with);
 }
 
 std::vector<std::string> write_moved(FlatFile& file, const SourceFile& source, const fs::path& path, bool recolored,
                                      const std::function<bool()>& interrupted, const TextFile* with) {
   if (extension(path) != extension(source.path())) return write_anew(file, path, interrupted, with);
   check_writable(path, source.path());
-  if (!source.has_changed())
-    return write_spliced(file, source.read(), source.path(), path, recolored, interrupted, with);
+  if (!source.has_changed()) {
+    io::BytesOfFile bytes(source);
+    return write_spliced(file, bytes, source.path(), path, recolored, interrupted, with);
+  }
   const std::string what = "has changed since it was read";
   if (is_gltf(extension(path))) io::fail(source.path(), what);
   std::vector<std::string> lost = write_anew(file, path, interrupted, with);
@@ -323,7 +354,9 @@ std::vector<std::string> write_moved(FlatFile& file, const SourceFile& source, c
   return lost;
 }
 
-void write_text(const TextFile& file, const std::function<bool()>& interrupted) { write_together({file}, interrupted); }
+void write_text(const TextFile& file, const std::function<bool()>& interrupted) {
+  write_together({writing_of(file)}, interrupted);
+}
 
 void update_normals(Mesh& mesh) {
   vcg::tri::UpdateNormal<Mesh>::PerVertexAngleWeighted(mesh);

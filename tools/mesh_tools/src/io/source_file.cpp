@@ -27,13 +27,16 @@ SourceFile::SourceFile(const std::filesystem::path& path)
 }
 
 std::string SourceFile::read() const {
-  const std::size_t size = file_.state().size;
   std::string bytes;
-  io::reserve_in_large_pages(bytes, size);
-  bytes.resize(size);
-  const auto got = as_file_error(path(), [&] { return file_.read(0, bytes.data(), bytes.size()); });
-  if (got != bytes.size()) io::fail(path(), "could not be read to its end");
+  io::reserve_in_large_pages(bytes, size());
+  bytes.resize(size());
+  read(0, bytes.data(), bytes.size());
   return bytes;
+}
+
+void SourceFile::read(std::size_t offset, char* bytes, std::size_t count) const {
+  const auto got = as_file_error(path(), [&] { return file_.read(offset, bytes, count); });
+  if (got != count) io::fail(path(), "could not be read to its end");
 }
 
 bool SourceFile::has_changed() const {

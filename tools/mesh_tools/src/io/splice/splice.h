@@ -2,11 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <mesh_tools/mesh_io.h>
+
+#include "../byte_source.h"
 
 /// One function for each format that gives the bytes of a file as it was read, but for the coordinates of vertices that
 /// have moved since, and the normals that follow. What did not change keeps its bytes, number by number.
@@ -39,7 +43,9 @@ struct SplicedFiles {
 ///             relative to it
 SplicedFiles splice_gltf(std::string bytes, const SpliceInput& input, const std::filesystem::path& out);
 std::string splice_off(std::string bytes, const SpliceInput& input);
-std::string splice_stl(std::string bytes, const SpliceInput& input);
+/// Part by part, as a binary file needs no more at a time.
+/// @param write  is given the result's bytes, one part after the other
+void splice_stl(ByteSource& bytes, const SpliceInput& input, const std::function<void(std::string_view)>& write);
 
 /// Throws FileError unless the file holds as many vertices, or facets, as were read from it.
 void check_same_count(const std::filesystem::path& path, const char* what, std::size_t read, std::size_t found);

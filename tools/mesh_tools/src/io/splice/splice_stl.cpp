@@ -6,9 +6,10 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <functional>
+#include <string>
 #include <string_view>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 #include "../formats.h"
@@ -19,6 +20,7 @@ namespace mesh_tools::io {
 namespace {
 
 using vcg::Point3d;
+using Write = std::function<void(std::string_view)>;
 using Numbers = std::array<float, 12>;  // of a facet: its normal, its corners
 
 constexpr std::size_t floats = std::tuple_size_v<Numbers>;
@@ -52,23 +54,32 @@ void reverse_on_big_endian(char (&raw)[floats * sizeof(float)]) {
   for (std::size_t i = 0; i < floats; ++i) std::reverse(raw + i * sizeof(float), raw + (i + 1) * sizeof(float));
 }
 
-/// In the bytes themselves.
-std::string splice_binary(std::string bytes, std::size_t facets, const SpliceInput& input) {
+void splice_facet(char* facet, const FlatMesh& mesh, std::size_t face) {
+  char raw[floats * sizeof(float)];
+  std::memcpy(raw, facet, sizeof raw);
+  reverse_on_big_endian(raw);
+  Numbers before;
+  std::memcpy(before.data(), raw, sizeof raw);
+  const Numbers now = moved_facet(before, mesh, face);
+  std::memcpy(raw, now.data(), sizeof raw);
+  reverse_on_big_endian(raw);
+  std::memcpy(facet, raw, sizeof raw);
+}
+
+void splice_binary(ByteSource& bytes, std::size_t facets, const SpliceInput& input, const Write& write) {
+  constexpr std::size_t facets_at_a_time = 4096;
   const FlatMesh& mesh = input.file.mesh;
   check_same_count(input.path, "facets", mesh.face.size(), facets);
-  for (std::size_t f = 0; f < mesh.face.size(); ++f) {
-    char* const at = bytes.data() + stl_header_size + f * stl_facet_size;
-    char raw[floats * sizeof(float)];
-    std::memcpy(raw, at, sizeof raw);
-    reverse_on_big_endian(raw);
-    Numbers before;
-    std::memcpy(before.data(), raw, sizeof raw);
-    const Numbers now = moved_facet(before, mesh, f);
-    std::memcpy(raw, now.data(), sizeof raw);
-    reverse_on_big_endian(raw);
-    std::memcpy(at, raw, sizeof raw);
+  write({bytes.part(0, stl_header_size), stl_header_size});
+  std::string spliced;
+  for (std::size_t begin = 0; begin < facets; begin += facets_at_a_time) {
+    const std::size_t count = std::min(facets_at_a_time, facets - begin);
+    spliced.assign(bytes.part(stl_facet_offset(begin), count * stl_facet_size), count * stl_facet_size);
+    for (std::size_t i = 0; i < count; ++i) splice_facet(spliced.data() + i * stl_facet_size, mesh, begin + i);
+    write(spliced);
   }
-  return bytes;
+  const std::size_t behind = bytes.size() - stl_facet_offset(facets);
+  if (behind > 0) write({bytes.part(stl_facet_offset(facets), behind), behind});
 }
 
 /// The reader does not look at normals, so they may be anything; what is no number is NaN.
@@ -116,9 +127,12 @@ std::string splice_text(const std::string& bytes, const SpliceInput& input) {
 
 }  // namespace
 
-std::string splice_stl(std::string bytes, const SpliceInput& input) {
+void splice_stl(ByteSource& bytes, const SpliceInput& input, const Write& write) {
   const StlLayout layout = stl_layout(bytes);
-  return layout.is_binary ? splice_binary(std::move(bytes), layout.facets, input) : splice_text(bytes, input);
+  if (layout.is_binary)
+    splice_binary(bytes, layout.facets, input, write);
+  else
+    write(splice_text(bytes.whole(), input));
 }
 
 }  // namespace mesh_tools::io
