@@ -288,26 +288,27 @@ std::vector<std::string> write_anew(FlatFile& file, const fs::path& path, const 
   return write_mesh(file, path, interrupted, with);
 }
 
-/// The original's bytes with other numbers, of STL part by part.
+/// The original's bytes with other numbers: what writes them while the arguments live.
 std::vector<Writing> spliced(io::ByteSource& bytes, const io::SpliceInput& input, const fs::path& path) {
   const std::string kind = extension(path);
-  if (kind == ".stl")
-    return {{path, [&bytes, input](durable_files::PendingFile& pending) {
-               io::splice_stl(bytes, input, [&pending](std::string_view part) { pending.write(part); });
-             }}};
-  std::vector<Writing> writings;
-  std::string text;
   if (is_gltf(kind)) {
     io::SplicedFiles files = io::splice_gltf(bytes.take(), input, path);
-    text = std::move(files.mesh);
+    std::vector<Writing> writings;
     for (TextFile& beside : files.beside) writings.push_back(writing_of(std::move(beside)));
-  } else {
-    text = kind == ".ply"   ? io::splice_ply(bytes.take(), input, path)
-           : kind == ".obj" ? io::splice_obj(bytes.take(), input, path)
-                            : io::splice_off(bytes.take(), input);
+    writings.push_back(writing_of({path, std::move(files.mesh)}));
+    return writings;
   }
-  writings.push_back(writing_of({path, std::move(text)}));
-  return writings;
+  return {{path, [&bytes, input, path, kind](durable_files::PendingFile& pending) {
+             const io::Write write = [&pending](std::string_view part) { pending.write(part); };
+             if (kind == ".ply")
+               io::splice_ply(bytes.whole(), input, path, write);
+             else if (kind == ".obj")
+               io::splice_obj(bytes.whole(), input, path, write);
+             else if (kind == ".off")
+               io::splice_off(bytes.whole(), input, write);
+             else
+               io::splice_stl(bytes, input, write);
+           }}};
 }
 
 /// With the original's bytes and other numbers, where they have room for them.
@@ -315,16 +316,15 @@ std::vector<std::string> write_spliced(FlatFile& file, io::ByteSource& bytes, co
                                        const fs::path& path, bool recolored, const std::function<bool()>& interrupted,
                                        const TextFile* with) {
   const io::SpliceInput input{file, from, recolored};
-  std::vector<Writing> together;
   try {
-    together = spliced(bytes, input, path);
+    std::vector<Writing> together = spliced(bytes, input, path);
+    if (with) together.insert(together.begin(), writing_of(*with));
+    write_together(together, interrupted);
   } catch (const io::NoRoom& reason) {
     std::vector<std::string> lost = write_anew(file, path, interrupted, with);
     lost.insert(lost.begin(), from.string() + ": " + reason.what());
     return lost;
   }
-  if (with) together.insert(together.begin(), writing_of(*with));
-  write_together(together, interrupted);
   return {};
 }
 

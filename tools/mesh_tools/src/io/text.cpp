@@ -11,7 +11,8 @@
 
 namespace mesh_tools::io {
 namespace {
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+/// Within a line: a blank, or one of \t \v \f \r, which with \n stand side by side.
+bool is_space(char c) { return c == ' ' || (static_cast<unsigned char>(c - '\t') < 5 && c != '\n'); }
 }  // namespace
 
 FirstLine first_line(std::string_view text) {

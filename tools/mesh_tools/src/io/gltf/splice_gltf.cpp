@@ -173,9 +173,11 @@ class GltfSplicer {
   /// The JSON comes before the buffer in GLB, and its size is a multiple of four there.
   void put_text() {
     if (changes_.empty()) return;
-    TextSplicer splicer(file_.text);
+    std::string text;
+    const Write append = [&text](std::string_view part) { text += part; };
+    TextSplicer splicer(file_.text, append);
     for (const auto& [at, change] : changes_) splicer.replace(change.first, change.second);
-    std::string text = splicer.finish();
+    splicer.finish();
     if (file_.is_glb) text.resize((text.size() + 3) / 4 * 4, ' ');
     const auto at = static_cast<std::size_t>(file_.text.data() - bytes_.data());
     const std::size_t before = file_.text.size();

@@ -12,8 +12,8 @@
 
 #include "../byte_source.h"
 
-/// One function for each format that gives the bytes of a file as it was read, but for the coordinates of vertices that
-/// have moved since, and the normals that follow. What did not change keeps its bytes, number by number.
+/// One function for each format that writes the bytes of a file as it was read, but for the coordinates of vertices
+/// that have moved since, and the normals that follow. What did not change keeps its bytes, number by number.
 namespace mesh_tools::io {
 
 struct SpliceInput {
@@ -22,30 +22,32 @@ struct SpliceInput {
   bool recolored = false;             ///< whether colours and qualities of vertices may have changed too
 };
 
-/// What moved cannot be put into the file as it is; what() is a sentence without the file's name.
+/// Is given the result's bytes, one part after the other.
+using Write = std::function<void(std::string_view)>;
+
+/// What moved cannot be put into the file as it is; what() is a sentence without the file's name. A part of the result
+/// may have been written.
 class NoRoom : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// All throw FileError where the bytes do not fit the mesh.
+/// All throw FileError where the bytes do not fit the mesh, and leave the bytes in any state.
 /// @param out  where the result goes: names of textures, and of material files, are made relative to it
 /// @throws NoRoom
-std::string splice_ply(std::string bytes, const SpliceInput& input, const std::filesystem::path& out);
-std::string splice_obj(std::string bytes, const SpliceInput& input, const std::filesystem::path& out);
+void splice_ply(std::string& bytes, const SpliceInput& input, const std::filesystem::path& out, const Write& write);
+void splice_obj(const std::string& bytes, const SpliceInput& input, const std::filesystem::path& out,
+                const Write& write);
+void splice_off(const std::string& bytes, const SpliceInput& input, const Write& write);
+void splice_stl(ByteSource& bytes, const SpliceInput& input, const Write& write);
 /// A mesh file, and others that appear together with it.
 struct SplicedFiles {
   std::string mesh;
   std::vector<TextFile> beside;
 };
 /// @param out  where the result goes: buffers in files of their own that change go beside it, and names of others are
-/// made
-///             relative to it
+///             made relative to it
 SplicedFiles splice_gltf(std::string bytes, const SpliceInput& input, const std::filesystem::path& out);
-std::string splice_off(std::string bytes, const SpliceInput& input);
-/// Part by part, as a binary file needs no more at a time.
-/// @param write  is given the result's bytes, one part after the other
-void splice_stl(ByteSource& bytes, const SpliceInput& input, const std::function<void(std::string_view)>& write);
 
 /// Throws FileError unless the file holds as many vertices, or facets, as were read from it.
 void check_same_count(const std::filesystem::path& path, const char* what, std::size_t read, std::size_t found);

@@ -32,11 +32,11 @@ std::int64_t index_of(std::string_view word, std::size_t count) {
 
 class ObjSplicer {
  public:
-  ObjSplicer(const std::string& bytes, const SpliceInput& input, const std::filesystem::path& out)
-      : bytes_(bytes), input_(input), mesh_(input.file.mesh), out_(out), text_(bytes) {}
+  ObjSplicer(const std::string& bytes, const SpliceInput& input, const std::filesystem::path& out, const Write& write)
+      : bytes_(bytes), input_(input), mesh_(input.file.mesh), out_(out), text_(bytes, write) {}
 
   /// Normals follow from all vertices and faces, so these are read before.
-  std::string splice() {
+  void splice() {
     if (bytes_.find("vn") != bytes_.npos) read();
     if (!old_normals_.empty()) renew_normals();
     LineReader reader(bytes_, input_.path, Comments::outside_names);
@@ -50,7 +50,7 @@ class ObjSplicer {
         put_material_names();
     }
     check_same_count(input_.path, "vertices", mesh_.vertices(), vertex);
-    return text_.finish();
+    text_.finish();
   }
 
  private:
@@ -159,8 +159,9 @@ class ObjSplicer {
 
 }  // namespace
 
-std::string splice_obj(std::string bytes, const SpliceInput& input, const std::filesystem::path& out) {
-  return ObjSplicer(bytes, input, out).splice();
+void splice_obj(const std::string& bytes, const SpliceInput& input, const std::filesystem::path& out,
+                const Write& write) {
+  ObjSplicer(bytes, input, out, write).splice();
 }
 
 }  // namespace mesh_tools::io

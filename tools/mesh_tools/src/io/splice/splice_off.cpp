@@ -24,10 +24,10 @@ Point3d point(const LineReader& reader, const Words& words, std::size_t first) {
 
 class OffSplicer {
  public:
-  OffSplicer(const std::string& bytes, const SpliceInput& input)
-      : bytes_(bytes), input_(input), mesh_(input.file.mesh), text_(bytes) {}
+  OffSplicer(const std::string& bytes, const SpliceInput& input, const Write& write)
+      : bytes_(bytes), input_(input), mesh_(input.file.mesh), text_(bytes, write) {}
 
-  std::string splice() {
+  void splice() {
     LineReader first_reader(bytes_, input_.path), reader(bytes_, input_.path);
     header_ = read_off_header(first_reader);
     read_off_header(reader);
@@ -42,7 +42,7 @@ class OffSplicer {
       if (input_.recolored && header_.colors && !mesh_.vertex_color.empty())
         put_color(reader, rows, mesh_.vertex_color[i]);
     }
-    return text_.finish();
+    text_.finish();
   }
 
  private:
@@ -90,6 +90,8 @@ class OffSplicer {
 
 }  // namespace
 
-std::string splice_off(std::string bytes, const SpliceInput& input) { return OffSplicer(bytes, input).splice(); }
+void splice_off(const std::string& bytes, const SpliceInput& input, const Write& write) {
+  OffSplicer(bytes, input, write).splice();
+}
 
 }  // namespace mesh_tools::io

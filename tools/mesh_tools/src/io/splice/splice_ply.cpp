@@ -37,11 +37,12 @@ double as_stored(double value, Type type) {
 /// Puts numbers in the place of others: text into a copy, binary numbers into the bytes themselves.
 class PlyNumbers {
  public:
-  PlyNumbers(std::string& bytes, PlyLayout::Format format)
+  PlyNumbers(std::string& bytes, PlyLayout::Format format, const Write& write)
       : bytes_(bytes),
         format_(format),
         is_text_(format == PlyLayout::Format::ascii),
-        text_(is_text_ ? std::string_view(bytes) : std::string_view()) {}
+        write_(write),
+        text_(is_text_ ? std::string_view(bytes) : std::string_view(), write) {}
 
   /// @param raw  the number's bytes in the file
   void replace(std::string_view raw, Type type, double before, double now) {
@@ -82,11 +83,11 @@ class PlyNumbers {
     header_.emplace_back(static_cast<std::size_t>(text.data() - bytes_.data()), text.size(), by);
   }
 
-  std::string finish() {
+  void finish() {
     if (is_text_) return text_.finish();
     for (auto change = header_.rbegin(); change != header_.rend(); ++change)
       bytes_.replace(std::get<0>(*change), std::get<1>(*change), std::get<2>(*change));
-    return std::move(bytes_);
+    write_(bytes_);
   }
 
  private:
@@ -118,25 +119,27 @@ class PlyNumbers {
   std::string& bytes_;
   PlyLayout::Format format_;
   bool is_text_;
+  const Write& write_;
   TextSplicer text_;
   std::vector<std::tuple<std::size_t, std::size_t, std::string>> header_;  // of binary files: where, how long, by what
 };
 
 class PlySplicer {
  public:
-  PlySplicer(std::string& bytes, const SpliceInput& input, const std::filesystem::path& out)
+  PlySplicer(std::string& bytes, const SpliceInput& input, const std::filesystem::path& out, const Write& write)
       : bytes_(bytes),
         input_(input),
         out_(out),
         mesh_(input.file.mesh),
         layout_(parse_ply_header(bytes, input.path)),
-        numbers_(bytes, layout_.format) {}
+        write_(write),
+        numbers_(bytes, layout_.format, write) {}
 
-  std::string splice() {
+  void splice() {
     const Element* const vertex = layout_.find("vertex");
     const Element* const face = layout_.find("face");
     check_same_count(input_.path, "vertices", mesh_.vertices(), vertex ? vertex->count : 0);
-    if (vertex == nullptr) return bytes_;  // as many as were read: none
+    if (vertex == nullptr) return write_(bytes_);  // as many as were read: none
     const bool vertex_normals = Roles(*vertex, known_of_vertex).has_normal();
     const bool face_normals = face && face->count > 0 && Roles(*face, known_of_face).has_normal();
     if (vertex_normals || face_normals) find_moved(*vertex);
@@ -159,7 +162,7 @@ class PlySplicer {
       }
       if ((is_vertex || is_face) && --left == 0) break;
     }
-    return numbers_.finish();
+    numbers_.finish();
   }
 
  private:
@@ -303,6 +306,7 @@ class PlySplicer {
   const std::filesystem::path& out_;
   const FlatMesh& mesh_;
   PlyLayout layout_;
+  const Write& write_;
   PlyNumbers numbers_;
   PlyData::Row row_;
   MovedVertices vertices_;
@@ -313,8 +317,8 @@ class PlySplicer {
 
 }  // namespace
 
-std::string splice_ply(std::string bytes, const SpliceInput& input, const std::filesystem::path& out) {
-  return PlySplicer(bytes, input, out).splice();
+void splice_ply(std::string& bytes, const SpliceInput& input, const std::filesystem::path& out, const Write& write) {
+  PlySplicer(bytes, input, out, write).splice();
 }
 
 }  // namespace mesh_tools::io

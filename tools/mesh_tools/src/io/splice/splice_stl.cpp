@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -20,7 +19,6 @@ namespace mesh_tools::io {
 namespace {
 
 using vcg::Point3d;
-using Write = std::function<void(std::string_view)>;
 using Numbers = std::array<float, 12>;  // of a facet: its normal, its corners
 
 constexpr std::size_t floats = std::tuple_size_v<Numbers>;
@@ -89,9 +87,9 @@ float normal_number(std::string_view word) {
   return error == std::errc() && end == word.data() + word.size() ? static_cast<float>(value) : std::nanf("");
 }
 
-std::string splice_text(const std::string& bytes, const SpliceInput& input) {
+void splice_text(const std::string& bytes, const SpliceInput& input, const Write& write) {
   const FlatMesh& mesh = input.file.mesh;
-  TextSplicer text(bytes);
+  TextSplicer text(bytes, write);
   LineReader reader(bytes, input.path);
   std::vector<std::string_view> words;
   std::array<std::string_view, floats> facet;
@@ -122,7 +120,7 @@ std::string splice_text(const std::string& bytes, const SpliceInput& input) {
     ++found;
   }
   check_same_count(input.path, "facets", mesh.face.size(), found);
-  return text.finish();
+  text.finish();
 }
 
 }  // namespace
@@ -132,7 +130,7 @@ void splice_stl(ByteSource& bytes, const SpliceInput& input, const Write& write)
   if (layout.is_binary)
     splice_binary(bytes, layout.facets, input, write);
   else
-    write(splice_text(bytes.whole(), input));
+    splice_text(bytes.whole(), input, write);
 }
 
 }  // namespace mesh_tools::io
