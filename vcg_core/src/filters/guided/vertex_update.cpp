@@ -12,38 +12,38 @@ namespace {
 
 constexpr std::size_t grain = 4096;
 
-/// Marks the vertices of folded faces.
-Array<std::uint8_t> find_folds(const MeshArrays& mesh, const Array<Vec3>& normal, const Array<Vec3>& position,
-                               double cosine, Job& job) {
-  Array<std::uint8_t> face_folded(mesh.face.size());
-  job.parallel(mesh.face.size(), grain, Loop::minor, [&](Chunks& chunks) {
-    while (chunks.next())
-      for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
-        const Vec3 cross = area_vector(mesh, position, f);
-        face_folded[f] = cross.dot(normal[f]) < cosine * cross.norm();
-      }
-  });
-  Array<std::uint8_t> folded(mesh.size(), 0);
-  job.serial(mesh.face.size(), [&](std::size_t f) {
-    if (face_folded[f])
-      for (const Index v : mesh.face[f]) folded[v] = 1;
-  });
-  return folded;
-}
-
 /// The plane that a face is to lie in: through its centroid as it lies now, along its filtered normal.
 struct Plane {
   Vec3 normal;
   double offset;  ///< three times that of the centroid: n . (a + b + c)
 };
 
-void measure_offsets(const MeshArrays& mesh, const Array<Vec3>& position, Array<Plane>& plane, Job& job) {
+/// @param use  is called with each face and its plane, after its offset is measured
+template <class Use>
+void measure_offsets(const MeshArrays& mesh, const Array<Vec3>& position, Array<Plane>& plane, Job& job,
+                     const Use& use) {
   job.parallel(mesh.face.size(), grain, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
         const auto& v = mesh.face[f];
         plane[f].offset = plane[f].normal.dot(position[v[0]] + position[v[1]] + position[v[2]]);
+        use(f, plane[f]);
       }
+  });
+}
+
+/// Measures offsets, and marks the vertices of folded faces.
+void find_folds(const MeshArrays& mesh, const Array<Vec3>& position, double cosine, Array<Plane>& plane,
+                Array<std::uint8_t>& folded, Job& job) {
+  Array<std::uint8_t> face_folded(mesh.face.size());
+  measure_offsets(mesh, position, plane, job, [&](std::size_t f, const Plane& p) {
+    const Vec3 cross = area_vector(mesh, position, f);
+    face_folded[f] = cross.dot(p.normal) < cosine * cross.norm();
+  });
+  folded.assign(mesh.size(), 0);
+  job.serial(mesh.face.size(), [&](std::size_t f) {
+    if (face_folded[f])
+      for (const Index v : mesh.face[f]) folded[v] = 1;
   });
 }
 
@@ -87,8 +87,9 @@ void update_positions(const MeshArrays& mesh, const Array<Vec3>& normal, const A
   job.serial(plane.size(), [&](std::size_t f) { plane[f].normal = normal[f]; });
   for (int update = 0; update < updates; ++update) {
     if (settings.unfold && update % settings.updates_between_fold_checks == 0)
-      folded = find_folds(mesh, normal, position, settings.fold_cosine, job);
-    measure_offsets(mesh, position, plane, job);
+      find_folds(mesh, position, settings.fold_cosine, plane, folded, job);
+    else
+      measure_offsets(mesh, position, plane, job, [](std::size_t, const Plane&) {});
     job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
       while (chunks.next())
         for (auto v = static_cast<Index>(chunks.begin()); v < chunks.end(); ++v) {
