@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <string>
-#include <utility>
 
 #include <mesh_tools/mesh_io.h>
 
@@ -25,8 +24,6 @@ class ByteSource {
   /// All of them, kept from then on.
   /// @throws FileError
   virtual std::string& whole() = 0;
-  /// The same, given away: nothing else is to be asked for afterwards.
-  std::string take() { return std::move(whole()); }
 };
 
 /// Bytes that somebody else keeps in memory.

@@ -228,10 +228,8 @@ MeshFile read_mesh(const fs::path& path, OriginalFile* original) {
 FlatFile read_flat(const fs::path& path, SourceFile* source) {
   check_readable(path);
   SourceFile opened(path);
-  FlatFile file = [&] {
-    io::BytesOfFile bytes(opened);
-    return read_from(bytes, path);
-  }();
+  io::BytesOfFile bytes(opened);
+  FlatFile file = read_from(bytes, path);
   if (source) *source = std::move(opened);
   return file;
 }
@@ -292,7 +290,7 @@ std::vector<std::string> write_anew(FlatFile& file, const fs::path& path, const 
 std::vector<Writing> spliced(io::ByteSource& bytes, const io::SpliceInput& input, const fs::path& path) {
   const std::string kind = extension(path);
   if (is_gltf(kind)) {
-    io::SplicedFiles files = io::splice_gltf(bytes.take(), input, path);
+    io::SplicedFiles files = io::splice_gltf(std::move(bytes.whole()), input, path);
     std::vector<Writing> writings;
     for (TextFile& beside : files.beside) writings.push_back(writing_of(std::move(beside)));
     writings.push_back(writing_of({path, std::move(files.mesh)}));

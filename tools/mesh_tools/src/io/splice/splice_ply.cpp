@@ -132,14 +132,13 @@ class PlySplicer {
         out_(out),
         mesh_(input.file.mesh),
         layout_(parse_ply_header(bytes, input.path)),
-        write_(write),
         numbers_(bytes, layout_.format, write) {}
 
   void splice() {
     const Element* const vertex = layout_.find("vertex");
     const Element* const face = layout_.find("face");
     check_same_count(input_.path, "vertices", mesh_.vertices(), vertex ? vertex->count : 0);
-    if (vertex == nullptr) return write_(bytes_);  // as many as were read: none
+    if (vertex == nullptr) return numbers_.finish();  // as many as were read: none
     const bool vertex_normals = Roles(*vertex, known_of_vertex).has_normal();
     const bool face_normals = face && face->count > 0 && Roles(*face, known_of_face).has_normal();
     if (vertex_normals || face_normals) find_moved(*vertex);
@@ -306,7 +305,6 @@ class PlySplicer {
   const std::filesystem::path& out_;
   const FlatMesh& mesh_;
   PlyLayout layout_;
-  const Write& write_;
   PlyNumbers numbers_;
   PlyData::Row row_;
   MovedVertices vertices_;
