@@ -149,9 +149,10 @@ class Display:
 
     def __enter__(self):
         reader, writer = os.pipe()
+        # -noreset: else the server starts anew when its last client leaves, and throws out one that comes meanwhile.
         self.process = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writer), "-screen", "0", "1400x900x24", "+extension", "GLX", "-nolisten", "tcp"],
-            pass_fds=[writer], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            ["Xvfb", "-displayfd", str(writer), "-screen", "0", "1400x900x24", "+extension", "GLX", "-nolisten", "tcp",
+             "-noreset"], pass_fds=[writer], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(writer)
         with os.fdopen(reader) as pipe:
             number = pipe.readline().strip()
@@ -167,13 +168,13 @@ class Display:
         self.manager = subprocess.Popen(["openbox"], env=environment, stdout=subprocess.DEVNULL,
                                         stderr=subprocess.DEVNULL)
         deadline = time.monotonic() + 120
-        while time.monotonic() < deadline:
+        while time.monotonic() < deadline and self.manager.poll() is None:
             answer = subprocess.run(["xprop", "-root", "_NET_SUPPORTING_WM_CHECK"], env=environment, check=False,
                                     capture_output=True, text=True, timeout=30).stdout
             if "window id" in answer:
                 return
             time.sleep(0.05)
-        raise RuntimeError("openbox did not start")
+        raise RuntimeError(f"openbox did not start; exit status {self.manager.poll()}")
 
     def __exit__(self, *_):
         if self.manager:
