@@ -100,10 +100,8 @@ std::optional<Samples> samples_of(NoiseKind noise, std::uint64_t seed, std::size
     face_inputs.fill(candidates, f, 1);
     for (Eigen::Index k = 0; k < inputs; ++k)
       samples.input(k, i) = face_inputs.row[static_cast<std::size_t>(k)].lane[0];
-    for (std::size_t c = 0; c < candidates.size(); ++c) {
-      const PackedNormal n = candidates.normal[c][f];
-      samples.candidate[c].col(i) << n.x(), n.y(), n.z();
-    }
+    for (std::size_t c = 0; c < candidates.size(); ++c)
+      samples.candidate[c].col(i) = face_inputs.normal(c, 0).cast<float>();
     for (int axis = 0; axis < 3; ++axis) samples.truth(axis, i) = static_cast<float>(truth[f][axis]);
     // Between a mean over faces and one over areas, so that slivers count for less.
     samples.weight[i] = static_cast<float>(std::min(1.0, 0.3 + 0.7 * noisy.area[f] / mean_area));

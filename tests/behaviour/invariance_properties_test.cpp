@@ -69,7 +69,7 @@ Draw draw_method() {
   if (info.method == Method::guided) {
     drawn.parameters.blend = *rc::gen::element(vcg_core::Blend::on, vcg_core::Blend::off);
     drawn.share = 0.05;      // two guides of the same consistency
-    drawn.tolerance = 3e-5;  // candidates of the blend, which also looks for correlated noise, are single
+    drawn.tolerance = 2e-3;  // candidates of the blend, which also looks for correlated noise, are packed to 7e-5
   }
   return drawn;
 }

@@ -103,7 +103,7 @@ TEST_F(DisplacementLimit, KeepsFacesUpright) {
 // A face that noise has turned over may be turned back; without noise that reaches so far nothing can have turned it.
 TEST_F(DisplacementLimit, LetsNoiseBeUndone) {
   const Array<Vec3> clean = mesh.position;
-  const Array<Vec3> filtered = faces.normal;
+  const Array<UnitNormal> filtered = faces.normal;
   Index v = 5;
   for (const auto& f : mesh.face)
     if (f[0] == v || f[1] == v || f[2] == v) {

@@ -13,7 +13,7 @@
 #include <support/noisy_shapes.h>
 
 #include "filters/guided/face_geometry.h"
-#include "filters/guided/face_neighborhoods.h"
+#include "filters/guided/faces_around.h"
 #include "filters/guided/guide_normals.h"
 #include "filters/guided/guided_settings.h"
 
@@ -36,7 +36,11 @@ class GuideGuard : public testing::TestWithParam<const char*> {
   GuideGuard() {
     faces.measure(mesh, mesh.position, job);
     across = faces_across(mesh, job);
-    around = faces_around(mesh, across, job);
+    FacesAround found(mesh, across);
+    for (Index f = 0; f < mesh.face.size(); ++f) {
+      const Array<Index>& list = found.find(f);
+      around.emplace_back(list.begin(), list.end());
+    }
     median_jump = find_median_jump();
   }
 
@@ -48,22 +52,23 @@ class GuideGuard : public testing::TestWithParam<const char*> {
 
   /// The faces around `center`, from docs/guided.md and Zhang et al. 2015.
   Patch patch(Index center) const {
-    const std::set<Index> members(around.first(center), around.last(center));
+    const std::set<Index>& members = around[center];
     Vec3 sum = Vec3::Zero();
     double area = 0;
     for (const Index g : members) {
-      sum += faces.area[g] * faces.normal[g];
+      sum += faces.area[g] * in_double(faces.normal[g]);
       area += faces.area[g];
     }
     Patch result{sum.normalized(), 0, 1 - sum.norm() / area};
     double widest = 0, jumps = 1e-9, largest = 0;
     for (const Index g : members) {
-      widest = std::max(widest, (faces.normal[g] - result.mean).norm());
+      widest = std::max(widest, (in_double(faces.normal[g]) - result.mean).norm());
       for (Index k = 0; k < 3; ++k) {
         const Index h = across[3 * g + k];
         if (h == no_face || h < g || members.count(h) == 0) continue;
-        jumps += (faces.normal[g] - faces.normal[h]).norm();
-        largest = std::max(largest, (faces.normal[g] - faces.normal[h]).norm());
+        const double jump = (faces.normal[g] - faces.normal[h]).norm();
+        jumps += jump;
+        largest = std::max(largest, jump);
       }
     }
     result.inconsistency = widest * largest / jumps;
@@ -75,7 +80,7 @@ class GuideGuard : public testing::TestWithParam<const char*> {
     for (Index f = 0; f < mesh.face.size(); ++f) of_face.push_back(patch(f));
     std::vector<Patch> best;
     for (Index f = 0; f < mesh.face.size(); ++f)
-      best.push_back(of_face[*std::min_element(around.first(f), around.last(f), [&](Index a, Index b) {
+      best.push_back(of_face[*std::min_element(around[f].begin(), around[f].end(), [&](Index a, Index b) {
         return of_face[a].inconsistency < of_face[b].inconsistency;
       })]);
     return best;
@@ -94,9 +99,9 @@ class GuideGuard : public testing::TestWithParam<const char*> {
   Vec3 bilateral(Index f) const {
     const double sigma = std::max(0.3, 1.8 * median_jump);
     Vec3 sum = Vec3::Zero();
-    for (const Index* g = around.first(f); g != around.last(f); ++g)
-      sum += faces.area[*g] * std::exp(-(faces.normal[*g] - faces.normal[f]).squaredNorm() / (2 * sigma * sigma)) *
-             faces.normal[*g];
+    for (const Index g : around[f])
+      sum += faces.area[g] * std::exp(-(faces.normal[g] - faces.normal[f]).squaredNorm() / (2 * sigma * sigma)) *
+             in_double(faces.normal[g]);
     return sum.normalized();
   }
 
@@ -105,13 +110,12 @@ class GuideGuard : public testing::TestWithParam<const char*> {
   WholeMedians medians{mesh};
   FaceGeometry faces;
   Array<Index> across;
-  FaceLists around;
+  std::vector<std::set<Index>> around;
   double median_jump = 0;  ///< length of the difference of adjoining normals
 };
 
 TEST_P(GuideGuard, FadesPatchesThatSpreadMoreThanThreeTimesTheMedian) {
-  const Array<Vec3> guide =
-      in_double(guide_normals(mesh, around, across, faces, faces.normal, GuidedSettings{}, medians, job), job);
+  const Array<UnitNormal> guide = guide_normals(mesh, across, faces, GuidedSettings{}, medians, job);
   const std::vector<Patch> best = best_patches();
   std::vector<double> spreads;
   for (const Patch& p : best) spreads.push_back(p.spread);
@@ -122,7 +126,7 @@ TEST_P(GuideGuard, FadesPatchesThatSpreadMoreThanThreeTimesTheMedian) {
     const double trust = std::clamp((refused - best[f].spread) / (refused - trusted), 0.0, 1.0);
     const Vec3 expected = (trust * best[f].mean + (1 - trust) * bilateral(f)).normalized();
     // The filter's exponential is exact to 0.009; a trusted mean does not have one.
-    EXPECT_LT((guide[f] - expected).norm(), trust == 1 ? single_precision : 0.02) << f;
+    EXPECT_LT((in_double(guide[f]) - expected).norm(), trust == 1 ? single_precision : 0.02) << f;
     trusted_faces += trust == 1;
     fading_faces += trust > 0 && trust < 1;
     faces_below_twice += trust < 0.9 && best[f].spread < 2 * trusted;
@@ -137,10 +141,10 @@ TEST_P(GuideGuard, FadesPatchesThatSpreadMoreThanThreeTimesTheMedian) {
 TEST_P(GuideGuard, OffTrustsEveryBestPatch) {
   GuidedSettings settings;
   settings.guard_thin_parts = false;
-  const Array<Vec3> guide =
-      in_double(guide_normals(mesh, around, across, faces, faces.normal, settings, medians, job), job);
+  const Array<UnitNormal> guide = guide_normals(mesh, across, faces, settings, medians, job);
   const std::vector<Patch> best = best_patches();
-  for (Index f = 0; f < mesh.face.size(); ++f) EXPECT_LT((guide[f] - best[f].mean).norm(), single_precision) << f;
+  for (Index f = 0; f < mesh.face.size(); ++f)
+    EXPECT_LT((in_double(guide[f]) - best[f].mean).norm(), single_precision) << f;
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, GuideGuard, testing::Values("thin_plate", "cad_part"),

@@ -107,15 +107,15 @@ TEST_P(EveryMethod, FollowsScaleAndPlace) {
   const FlatMesh mesh = potato(3);
   const FlatMesh result = smoothed_by(method(), mesh, defaults()).mesh;
   const double e = average_edge_length(mesh);
+  const bool packs = method() == Method::guided;  // its normals, and displacements in single precision
   for (const double scale : {1e-12, 1e12}) {
     const auto scaled = [scale](const Point& p) { return p * scale; };
     const FlatMesh other = smoothed_by(method(), transformed(mesh, scaled), defaults()).mesh;
-    EXPECT_LE(difference(other, transformed(result, scaled), 0).largest, 1e-9 * e * scale) << scale;
+    EXPECT_LE(difference(other, transformed(result, scaled), 0).largest, (packs ? 2e-4 : 1e-9) * e * scale) << scale;
   }
   const auto shifted = [](const Point& p) { return p + Point(1000, -2000, 500); };
   const FlatMesh other = smoothed_by(method(), transformed(mesh, shifted), defaults()).mesh;
-  const double rounding = method() == Method::guided ? 2e-6 : 1e-7;  // its normals are in single precision and packed
-  EXPECT_LE(difference(other, transformed(result, shifted), 0).largest, rounding * e);
+  EXPECT_LE(difference(other, transformed(result, shifted), 0).largest, (packs ? 2e-4 : 1e-7) * e);
 }
 
 TEST_P(EveryMethod, StaysFiniteOnAllThatIsOdd) {

@@ -34,9 +34,7 @@ struct Found {
 Found found_on(const FlatMesh& flat, int threads = 1) {
   Job job{no_progress, threads};
   Found found{{}, test_support::arrays_of(flat, job)};
-  FaceGeometry faces;
-  faces.measure(found.mesh, found.mesh.position, job);
-  found.noise = estimate_noise(found.mesh, RingMeans(found.mesh, job), found.mesh.position, faces, job);
+  found.noise = estimate_noise(found.mesh, RingMeans(found.mesh, job), found.mesh.position, job);
   return found;
 }
 

@@ -28,7 +28,8 @@ class Unfolding : public testing::TestWithParam<const char*> {
     for (std::size_t f = 0; f < mesh.face.size(); ++f) {
       const double z = 2 * random.uniform() - 1;
       const double angle = 2 * std::acos(-1.0) * random.uniform();
-      normal.emplace_back(std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z);
+      single.push_back(in_single({std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z}));
+      normal.push_back(in_double(single.back()));
     }
   }
 
@@ -73,13 +74,14 @@ class Unfolding : public testing::TestWithParam<const char*> {
 
   Job job{no_progress, 2};
   MeshArrays mesh = test_support::arrays_of(test_support::noisy_shape(GetParam(), 200, 0.2), job);
+  Array<UnitNormal> single;
   Array<Vec3> normal;
   const Array<std::uint8_t> movable = Array<std::uint8_t>(mesh.size(), 1);
 };
 
 TEST_P(Unfolding, IsForVerticesOfFacesThatLookAwayFromTheirNormals) {
   Array<Vec3> position = mesh.position;
-  update_positions(mesh, normal, movable, 1, GuidedSettings{}, position, job);
+  update_positions(mesh, single, movable, 1, GuidedSettings{}, position, job);
   const Array<Vec3> expected = updated(mesh.position, at_folded_faces(mesh.position));
   for (Index v = 0; v < mesh.size(); ++v) EXPECT_LT((position[v] - expected[v]).norm(), 1e-12) << v;
 
@@ -95,7 +97,7 @@ TEST_P(Unfolding, IsForVerticesOfFacesThatLookAwayFromTheirNormals) {
 
 TEST_P(Unfolding, LooksForFoldsAnewAtEveryOtherUpdate) {
   Array<Vec3> position = mesh.position;
-  update_positions(mesh, normal, movable, 3, GuidedSettings{}, position, job);
+  update_positions(mesh, single, movable, 3, GuidedSettings{}, position, job);
   const std::vector<bool> first = at_folded_faces(mesh.position);
   Array<Vec3> expected = updated(updated(mesh.position, first), first);
   const std::vector<bool> second = at_folded_faces(expected);
@@ -108,7 +110,7 @@ TEST_P(Unfolding, OffLeavesOnlyTheStepToThePlanes) {
   GuidedSettings settings;
   settings.unfold = false;
   Array<Vec3> position = mesh.position;
-  update_positions(mesh, normal, movable, 1, settings, position, job);
+  update_positions(mesh, single, movable, 1, settings, position, job);
   const Array<Vec3> expected = updated(mesh.position, std::vector<bool>(mesh.size(), false));
   for (Index v = 0; v < mesh.size(); ++v) EXPECT_LT((position[v] - expected[v]).norm(), 1e-12) << v;
 }

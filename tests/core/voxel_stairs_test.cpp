@@ -33,9 +33,7 @@ struct Found {
 Found found_on(const FlatMesh& flat) {
   Job job{no_progress, 1};
   Found found{test_support::arrays_of(flat, job), std::nullopt};
-  FaceGeometry faces;
-  faces.measure(found.mesh, found.mesh.position, job);
-  found.stairs = find_voxel_stairs(found.mesh, faces, job);
+  found.stairs = find_voxel_stairs(found.mesh, job);
   return found;
 }
 
@@ -119,11 +117,9 @@ TEST(VoxelStairs, TellHowFarVerticesAreFromTheShape) {
       const auto shape = mesh_tools::make_voxel_shape(name, 4000, {slice_distance, 15});
       Job job{no_progress, 1};
       const MeshArrays mesh = test_support::arrays_of(test_support::flat(shape.surface), job);
-      FaceGeometry faces;
-      faces.measure(mesh, mesh.position, job);
-      const std::optional<VoxelStairs> stairs = find_voxel_stairs(mesh, faces, job);
+      const std::optional<VoxelStairs> stairs = find_voxel_stairs(mesh, job);
       ASSERT_TRUE(stairs);
-      const Array<double> found = deviations_by_stairs(mesh, RingMeans(mesh, job), *stairs, faces, job);
+      const Array<double> found = deviations_by_stairs(mesh, RingMeans(mesh, job), *stairs, job);
       std::vector<double> truth;
       for (int v = 0; v < shape.surface.vn; ++v)
         truth.push_back((shape.surface.vert[v].cP() - shape.truth.vert[v].cP()).Norm());

@@ -28,8 +28,7 @@ namespace vcg_core::detail {
 namespace {
 
 constexpr std::size_t large_page = std::size_t(2) << 20;
-/// A block of that size holds a whole large page, wherever it begins.
-constexpr std::size_t large = 2 * large_page;
+constexpr std::size_t large = large_page;
 /// A multiple of every system's page.
 constexpr std::size_t page = std::size_t(64) << 10;
 

@@ -47,4 +47,10 @@ struct ArrayAllocator {
 template <class T>
 using Array = std::vector<T, ArrayAllocator<T>>;
 
+/// Gives the memory of arrays back before others are made. Assigning an empty one keeps it.
+template <class... T>
+void release(Array<T>&... arrays) {
+  (Array<T>().swap(arrays), ...);
+}
+
 }  // namespace vcg_core::detail

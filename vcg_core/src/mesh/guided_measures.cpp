@@ -48,9 +48,7 @@ NoiseOfPiece noise_of_piece(const MeshView& piece, const Progress& progress, int
   detail::Job job(progress, threads);
   const detail::MeshArrays mesh = read_told(piece, job);
   job.begin_stage(measuring, 1);
-  detail::FaceGeometry faces;
-  faces.measure(mesh, mesh.position, job);
-  const detail::NoiseSeen seen = detail::look_for_noise(mesh, detail::RingMeans(mesh, job), mesh.position, faces, job);
+  const detail::NoiseSeen seen = detail::look_for_noise(mesh, detail::RingMeans(mesh, job), mesh.position, job);
   NoiseOfPiece noise{seen.testimony, {}};
   noise.testimony.opposed = std::ldexp(noise.testimony.opposed, -2 * mesh.exponent);
   const double square = mesh.topology.average_edge_length * mesh.topology.average_edge_length;

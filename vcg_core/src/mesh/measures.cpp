@@ -5,7 +5,6 @@
 
 #include "count_intersections.h"
 #include "filters/guided/correlated_noise.h"
-#include "filters/guided/face_geometry.h"
 #include "filters/guided/noise_estimate.h"
 #include "geodesic_field.h"
 #include "job.h"
@@ -61,9 +60,7 @@ double estimate_noise(const MeshView& view, const Progress& progress, int thread
   detail::Job job(progress, threads);
   const detail::MeshArrays mesh = detail::read_mesh(view, job);
   job.begin_stage(measuring, 1);
-  detail::FaceGeometry faces;
-  faces.measure(mesh, mesh.position, job);
-  double noise = detail::estimate_noise(mesh, detail::RingMeans(mesh, job), mesh.position, faces, job).mean;
+  double noise = detail::estimate_noise(mesh, detail::RingMeans(mesh, job), mesh.position, job).mean;
   if (!(noise > 0)) noise = detail::correlated_noise_of(mesh, job);
   job.finish();
   return std::ldexp(noise, -mesh.exponent);

@@ -15,13 +15,18 @@ struct FourFloats {
   FourFloats(float same) : value(quad::set(same)) {}
   /// From memory that is aligned for them.
   static FourFloats at(const float* p) { return quad::load(p); }
+  void store(float* p) const { quad::store(p, value); }
 
   FourFloats& operator+=(FourFloats b) { return *this = quad::add(value, b.value); }
   FourFloats& operator*=(FourFloats b) { return *this = quad::mul(value, b.value); }
   friend FourFloats operator+(FourFloats a, FourFloats b) { return quad::add(a.value, b.value); }
   friend FourFloats operator-(FourFloats a, FourFloats b) { return quad::sub(a.value, b.value); }
   friend FourFloats operator*(FourFloats a, FourFloats b) { return quad::mul(a.value, b.value); }
+  friend FourFloats operator/(FourFloats a, FourFloats b) { return quad::div(a.value, b.value); }
   friend FourFloats max(FourFloats a, FourFloats b) { return quad::max(a.value, b.value); }
+  friend FourFloats min(FourFloats a, FourFloats b) { return quad::min(a.value, b.value); }
+  friend FourFloats abs(FourFloats a) { return quad::abs(a.value); }
+  friend FourFloats sqrt(FourFloats a) { return quad::sqrt(a.value); }
 
   /// Four rows become four columns.
   friend void transpose(FourFloats& a, FourFloats& b, FourFloats& c, FourFloats& d) {

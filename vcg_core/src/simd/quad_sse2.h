@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+
 #include <emmintrin.h>
 
 namespace vcg_core::detail {
@@ -16,6 +18,14 @@ inline Quad set(float a, float b, float c, float d) { return _mm_setr_ps(a, b, c
 inline Quad set(float x) { return _mm_set1_ps(x); }
 inline Quad load(const float* p) { return _mm_load_ps(p); }
 inline void store(float* p, Quad x) { _mm_store_ps(p, x); }
+/// The low, and the high 16 bits of four whole numbers, as numbers with a sign.
+inline Quad low_halves(const std::int32_t* p) {
+  const __m128i all = _mm_loadu_si128(reinterpret_cast<const __m128i*>(p));
+  return _mm_cvtepi32_ps(_mm_srai_epi32(_mm_slli_epi32(all, 16), 16));
+}
+inline Quad high_halves(const std::int32_t* p) {
+  return _mm_cvtepi32_ps(_mm_srai_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(p)), 16));
+}
 inline Quad add(Quad a, Quad b) { return _mm_add_ps(a, b); }
 inline Quad sub(Quad a, Quad b) { return _mm_sub_ps(a, b); }
 inline Quad mul(Quad a, Quad b) { return _mm_mul_ps(a, b); }

@@ -28,6 +28,17 @@ inline Quad load(const float* p) {
   return x;
 }
 inline void store(float* p, Quad x) { __builtin_memcpy(p, &x, sizeof x); }
+/// The low, and the high 16 bits of four whole numbers, as numbers with a sign.
+inline Quad low_halves(const std::int32_t* p) {
+  QuadMask all;
+  __builtin_memcpy(&all, p, sizeof all);
+  return __builtin_convertvector((all << 16) >> 16, Quad);
+}
+inline Quad high_halves(const std::int32_t* p) {
+  QuadMask all;
+  __builtin_memcpy(&all, p, sizeof all);
+  return __builtin_convertvector(all >> 16, Quad);
+}
 inline Quad add(Quad a, Quad b) { return a + b; }
 inline Quad sub(Quad a, Quad b) { return a - b; }
 inline Quad mul(Quad a, Quad b) { return a * b; }

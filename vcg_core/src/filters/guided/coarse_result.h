@@ -4,11 +4,10 @@
 #include <cstdint>
 
 #include "face_geometry.h"
-#include "face_neighborhoods.h"
+#include "face_lists.h"
 #include "guided_settings.h"
 #include "mesh_arrays.h"
 #include "noise_estimate.h"
-#include "ring_means.h"
 #include "whole_medians.h"
 
 namespace vcg_core::detail {
@@ -21,7 +20,6 @@ struct CoarseResult {
   const Array<Vec3>& noisy;  ///< positions
   const NoiseEstimate& noise;
   WholeMedians& medians;  ///< the next one is that of the residuals
-  RingMeans rings;
   FaceLists within;
   Array<double> spacing;
   Array<Vec3> position;  ///< after the coarse rounds

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "face_neighborhoods.h"
+#include "faces_around.h"
 #include "guide_normals.h"
 #include "job.h"
 #include "normal_filter.h"
@@ -14,42 +16,34 @@ namespace vcg_core::detail {
 
 CoarseRounds::CoarseRounds(const PassInput& input, const GuidedSettings& settings)
     : CoarseRounds(input, settings, {}, nullptr) {
-  estimate_ = estimate_noise(in_.mesh, rings_, in_.position, faces_, job_);
+  estimate_ = estimate_noise(in_.mesh, RingMeans(in_.mesh, job_), in_.position, job_);
 }
 
 CoarseRounds::CoarseRounds(const PassInput& input, const GuidedSettings& settings, NoiseEstimate noise,
                            std::vector<ValueCounts>* counts)
-    : in_(input),
-      settings_(settings),
-      job_(input.job),
-      position_(input.position),
-      rings_(input.mesh, input.job),
-      estimate_(std::move(noise)),
-      medians_(input.mesh, counts) {
-  faces_.measure(in_.mesh, position_, job_);
-}
+    : in_(input), settings_(settings), job_(input.job), estimate_(std::move(noise)), medians_(input.mesh, counts) {}
 
 void CoarseRounds::run() {
+  position_ = in_.position;
   find_neighbourhoods();
+  faces_.measure(in_.mesh, position_, job_);
   const int rounds = settings_.coarse_rounds > 0 ? settings_.coarse_rounds : rounds_for_noise();
   for (int round = 0; round < rounds; ++round) {
     filter_once();
     job_.report(0.1 + 0.4 * (round + 1) / rounds);
   }
-  across_ = {};
-  around_ = {};
+  release(across_);
 }
 
 CoarseResult CoarseRounds::take_result() {
-  return {in_.mesh,          settings_,          in_.movable,         in_.position,         estimate_,        medians_,
-          std::move(rings_), std::move(within_), std::move(spacing_), std::move(position_), std::move(faces_)};
+  return {in_.mesh, settings_,          in_.movable,         in_.position,         estimate_,
+          medians_, std::move(within_), std::move(spacing_), std::move(position_), std::move(faces_)};
 }
 
 void CoarseRounds::find_neighbourhoods() {
   across_ = faces_across(in_.mesh, job_);
-  around_ = faces_around(in_.mesh, across_, job_);
   spacing_ = local_spacing(in_.mesh, settings_.follow_edge_length, settings_.noise_spacing * noise(), job_);
-  within_ = faces_within(around_, faces_.centroid, spacing_, settings_.radius, job_);
+  within_ = faces_within(in_.mesh, across_, position_, spacing_, settings_.radius, job_);
   job_.report(0.1);
 }
 
@@ -61,15 +55,14 @@ int CoarseRounds::rounds_for_noise() const {
 Array<UnitNormal> CoarseRounds::filtered_normals() {
   // The guides come first: they take the most memory.
   const Array<UnitNormal> guide =
-      settings_.guide ? guide_normals(in_.mesh, around_, across_, faces_, faces_.normal, settings_, medians_, job_)
-                      : in_single(faces_.normal, job_);
-  const Array<float> weight = closeness_weights(within_, faces_, spacing_, settings_.closeness, job_);
-  return filter_normals(within_, weight, guide, in_single(faces_.normal, job_), settings_.coarse_range, job_);
+      settings_.guide ? guide_normals(in_.mesh, across_, faces_, settings_, medians_, job_) : faces_.normal;
+  const ListWeights weight =
+      closeness_weights(within_, in_.mesh, position_, faces_.area, spacing_, settings_.closeness, job_);
+  return filter_normals(within_, weight, guide, faces_.normal, settings_.coarse_range, job_);
 }
 
 void CoarseRounds::filter_once() {
-  update_positions(in_.mesh, in_double(filtered_normals(), job_), in_.movable, settings_.coarse_updates, settings_,
-                   position_, job_);
+  update_positions(in_.mesh, filtered_normals(), in_.movable, settings_.coarse_updates, settings_, position_, job_);
   // From here on the normals are those of the faces as they lie: what the vertices could not follow is dropped.
   faces_.measure(in_.mesh, position_, job_);
 }

@@ -42,12 +42,10 @@ class CoarseRounds {
   const GuidedSettings& settings_;
   Job& job_;
   Array<Vec3> position_;
-  RingMeans rings_;
   FaceGeometry faces_;  ///< at first the noisy ones
   NoiseEstimate estimate_;
   WholeMedians medians_;
   Array<Index> across_;
-  FaceLists around_;
   FaceLists within_;
   Array<double> spacing_;
 };

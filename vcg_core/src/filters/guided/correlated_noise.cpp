@@ -36,9 +36,7 @@ constexpr double vertices_from = 1500, vertices_full = 2500;
 /// of 0.1 |e| that is correlated over three edges, half of the vertices are more than twice as high.
 bool is_smooth(const PassInput& input) {
   constexpr double least_height = 0.005;
-  FaceGeometry faces;
-  faces.measure(input.mesh, input.position, input.job);
-  Array<double> height = ring_heights(input.mesh, RingMeans(input.mesh, input.job), input.position, faces, input.job);
+  Array<double> height = ring_heights(input.mesh, RingMeans(input.mesh, input.job), input.position, input.job);
   for (double& h : height) h = std::abs(h);
   return median(std::move(height)) < least_height * input.mesh.topology.average_edge_length;
 }

@@ -7,6 +7,7 @@
 #include "face_geometry.h"
 #include "job.h"
 #include "mean_normals.h"
+#include "ring_means.h"
 
 namespace vcg_core::detail {
 
@@ -42,9 +43,9 @@ double share_of_shape(double energy, const GuidedSettings& settings) {
 
 }  // namespace
 
-void recover_detail(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& noisy,
-                    const Array<std::uint8_t>& movable, const GuidedSettings& settings, WholeMedians& medians,
-                    Array<Vec3>& position, Job& job) {
+void recover_detail(const MeshArrays& mesh, const Array<Vec3>& noisy, const Array<std::uint8_t>& movable,
+                    const GuidedSettings& settings, WholeMedians& medians, Array<Vec3>& position, Job& job) {
+  const RingMeans rings(mesh, job);
   double noise = -1;
   FaceGeometry faces;
   for (const int scale : scales) {

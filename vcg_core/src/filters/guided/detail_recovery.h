@@ -5,7 +5,6 @@
 
 #include "guided_settings.h"
 #include "mesh_arrays.h"
-#include "ring_means.h"
 #include "whole_medians.h"
 
 namespace vcg_core::detail {
@@ -20,8 +19,7 @@ namespace vcg_core::detail {
 /// @param noisy     the positions before filtering
 /// @param medians   its next one is that of what the residual has above its one ring
 /// @param position  the filtered ones; changed
-void recover_detail(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& noisy,
-                    const Array<std::uint8_t>& movable, const GuidedSettings& settings, WholeMedians& medians,
-                    Array<Vec3>& position, Job& job);
+void recover_detail(const MeshArrays& mesh, const Array<Vec3>& noisy, const Array<std::uint8_t>& movable,
+                    const GuidedSettings& settings, WholeMedians& medians, Array<Vec3>& position, Job& job);
 
 }  // namespace vcg_core::detail

@@ -73,7 +73,7 @@ void limit_displacements(const Array<Vec3>& from, const Array<double>& limit, Ar
   });
 }
 
-void keep_faces_upright(const MeshArrays& mesh, const Array<Vec3>& from, const Array<Vec3>& normal,
+void keep_faces_upright(const MeshArrays& mesh, const Array<Vec3>& from, const Array<UnitNormal>& normal,
                         const Array<double>& limit, Array<Vec3>& position, Array<std::uint8_t>& bounded, Job& job) {
   const Array<Vec3> wanted = position;
   Array<std::uint8_t> halvings(mesh.size(), 0);
@@ -86,7 +86,7 @@ void keep_faces_upright(const MeshArrays& mesh, const Array<Vec3>& from, const A
           const Vec3 before = area_vector(mesh.face[f], from);
           const Vec3 after = area_vector(mesh.face[f], position);
           const bool was_upright =
-              before.dot(normal[f]) > 0 || !can_have_turned(mesh.face[f], from, limit, before.norm());
+              before.dot(in_double(normal[f])) > 0 || !can_have_turned(mesh.face[f], from, limit, before.norm());
           turned[f] = was_upright && !(after.dot(before) > 0);
         }
     });

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "mesh_arrays.h"
+#include "unit_normals.h"
 
 namespace vcg_core::detail {
 
@@ -23,7 +24,7 @@ void limit_displacements(const Array<Vec3>& from, const Array<double>& limit, Ar
 /// for those that noise may have turned over before: their normal at `from` opposes the filtered one, and their least
 /// altitude is within the limit of a vertex. Marks the vertices in `bounded`.
 /// @param normal  the filtered normals of the faces
-void keep_faces_upright(const MeshArrays& mesh, const Array<Vec3>& from, const Array<Vec3>& normal,
+void keep_faces_upright(const MeshArrays& mesh, const Array<Vec3>& from, const Array<UnitNormal>& normal,
                         const Array<double>& limit, Array<Vec3>& position, Array<std::uint8_t>& bounded, Job& job);
 
 }  // namespace vcg_core::detail

@@ -7,16 +7,13 @@ namespace vcg_core::detail {
 
 void FaceGeometry::measure(const MeshArrays& mesh, const Array<Vec3>& position, Job& job) {
   normal.resize(mesh.face.size());
-  centroid.resize(mesh.face.size());
   area.resize(mesh.face.size());
   job.parallel(mesh.face.size(), 4096, Loop::minor, [&](Chunks& chunks) {
     while (chunks.next())
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
-        const auto& v = mesh.face[f];
-        const Vec3 cross = area_vector(mesh, position, f);
-        normal[f] = direction_of_face(cross);
-        centroid[f] = (position[v[0]] + position[v[1]] + position[v[2]]) / 3;
-        area[f] = cross.norm() / 2;
+        const Vec3 vector = area_vector(mesh, position, f);
+        normal[f] = in_single(direction_of_face(vector));
+        area[f] = vector.norm() / 2;
       }
   });
 }

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "mesh_arrays.h"
+#include "unit_normals.h"
 
 namespace vcg_core::detail {
 
@@ -19,10 +20,14 @@ inline Vec3 direction_of_face(const Vec3& area_vector) {
   return length > 0 ? Vec3(area_vector / length) : Vec3(Vec3::Zero());
 }
 
-/// Normals, centroids and areas of all faces, for vertices at `position`. The normal of a face without area is zero.
+inline Vec3 centroid_of(const MeshArrays& mesh, const Array<Vec3>& position, std::size_t f) {
+  const auto& v = mesh.face[f];
+  return (position[v[0]] + position[v[1]] + position[v[2]]) / 3;
+}
+
+/// Normals and areas of all faces, for vertices at `position`. The normal of a face without area is zero.
 struct FaceGeometry {
-  Array<Vec3> normal;
-  Array<Vec3> centroid;
+  Array<UnitNormal> normal;
   Array<double> area;
 
   void measure(const MeshArrays& mesh, const Array<Vec3>& position, Job& job);

@@ -14,8 +14,9 @@ namespace {
 /// The normals after fine rounds: the filter without its blend.
 Array<UnitNormal> fine_normals(const CoarseResult& coarse, Job& job) {
   const GuidedSettings& settings = coarse.settings;
-  const Array<float> weight = closeness_weights(coarse.within, coarse.faces, coarse.spacing, settings.closeness, job);
-  Array<UnitNormal> normal = in_single(coarse.faces.normal, job);
+  const ListWeights weight = closeness_weights(coarse.within, coarse.mesh, coarse.position, coarse.faces.area,
+                                               coarse.spacing, settings.closeness, job);
+  Array<UnitNormal> normal = coarse.faces.normal;
   for (int round = 0; settings.fine && round < settings.fine_rounds; ++round) {
     normal = filter_normals(coarse.within, weight, normal, normal, settings.fine_range, job);
     job.report(0.5 + 0.3 * (round + 1) / settings.fine_rounds);
@@ -31,13 +32,12 @@ FilterRun run_filter(const PassInput& input, const GuidedSettings& settings, Coa
   Job& job = input.job;
   FilterRun run;
   if (!settings.restart) run.position = result.position;  // before the blend frees them
-  run.normal = in_double(settings.blend ? blended_normals(result, job) : fine_normals(result, job), job);
+  run.normal = settings.blend ? blended_normals(result, job) : fine_normals(result, job);
   if (settings.restart) run.position = input.position;
   update_positions(input.mesh, run.normal, input.movable, settings.final_updates, settings, run.position, job);
   job.report(0.95);
   if (settings.recover_detail && !settings.blend)
-    recover_detail(input.mesh, result.rings, input.position, input.movable, settings, result.medians, run.position,
-                   job);
+    recover_detail(input.mesh, input.position, input.movable, settings, result.medians, run.position, job);
   return run;
 }
 

@@ -7,7 +7,7 @@ namespace vcg_core::detail {
 
 /// What one run of the filter leaves, before anything is held back.
 struct FilterRun {
-  Array<Vec3> normal;  ///< by face: the filtered ones
+  Array<UnitNormal> normal;  ///< by face: the filtered ones
   Array<Vec3> position;
 };
 

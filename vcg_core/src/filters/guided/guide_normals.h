@@ -2,7 +2,6 @@
 #pragma once
 
 #include "face_geometry.h"
-#include "face_neighborhoods.h"
 #include "guided_settings.h"
 #include "mesh_arrays.h"
 #include "unit_normals.h"
@@ -16,10 +15,10 @@ namespace vcg_core::detail {
 /// the face (each the faces around one face), the one with the most consistent normals lends its mean normal. New here:
 /// the patch is trusted only if its normals spread no wider than those of most other best patches. Where all patches
 /// reach over an edge, as on parts one edge length thick, the guide is a bilateral mean over the faces around.
-/// @param normal   filtered so far
+/// @param across   as faces_across() finds them
+/// @param faces    filtered so far
 /// @param medians  its next two are those of the spread and of the jumps
-Array<UnitNormal> guide_normals(const MeshArrays& mesh, const FaceLists& around, const Array<Index>& across,
-                                const FaceGeometry& faces, const Array<Vec3>& normal, const GuidedSettings& settings,
-                                WholeMedians& medians, Job& job);
+Array<UnitNormal> guide_normals(const MeshArrays& mesh, const Array<Index>& across, const FaceGeometry& faces,
+                                const GuidedSettings& settings, WholeMedians& medians, Job& job);
 
 }  // namespace vcg_core::detail

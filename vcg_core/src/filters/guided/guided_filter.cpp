@@ -46,7 +46,7 @@ NoiseEstimate try_for_correlated_noise(const PassInput& input) {
 }
 
 PassOutput hold_to_limits(const PassInput& input, const GuidedSettings& settings, const NoiseEstimate& estimate,
-                          const Array<Vec3>& normal, Array<Vec3> position) {
+                          const Array<UnitNormal>& normal, Array<Vec3> position) {
   const Array<double> limit =
       displacement_limits(input.mesh, estimate.deviation, settings.most_deviations * settings.noise_scale, input.job);
   Array<std::uint8_t> bounded(input.mesh.size(), 0);

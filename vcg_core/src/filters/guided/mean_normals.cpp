@@ -5,7 +5,7 @@
 
 namespace vcg_core::detail {
 
-Array<Vec3> mean_normals(const MeshArrays& mesh, const Array<Vec3>& face_normal, Job& job) {
+Array<Vec3> mean_normals(const MeshArrays& mesh, const Array<UnitNormal>& face_normal, Job& job) {
   const MeshTopology& topology = mesh.topology;
   Array<Vec3> normal(mesh.size());
   job.parallel(mesh.size(), 4096, Loop::minor, [&](Chunks& chunks) {
@@ -13,7 +13,7 @@ Array<Vec3> mean_normals(const MeshArrays& mesh, const Array<Vec3>& face_normal,
       for (std::size_t v = chunks.begin(); v < chunks.end(); ++v) {
         Vec3 sum = Vec3::Zero();
         for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s)
-          sum += face_normal[topology.star[s] / 3];
+          sum += in_double(face_normal[topology.star[s] / 3]);
         const double length = sum.norm();
         normal[v] = length > 1e-9 ? Vec3(sum / length) : Vec3(Vec3::Zero());
       }

@@ -192,17 +192,16 @@ double NoiseByWhole::variance(double by_vertex, double near_by, double confidenc
   return std::min(by_vertex, share * near_by + (1 - share) * of_all_);
 }
 
-NoiseSeen look_for_noise(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position,
-                         const FaceGeometry& faces, Job& job) {
+NoiseSeen look_for_noise(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position, Job& job) {
   NoiseSeen seen;
-  if (const auto stairs = find_voxel_stairs(mesh, faces, job)) {
-    seen.of_stairs = deviations_by_stairs(mesh, rings, *stairs, faces, job);
+  if (const auto stairs = find_voxel_stairs(mesh, job)) {
+    seen.of_stairs = deviations_by_stairs(mesh, rings, *stairs, job);
     return seen;
   }
   Array<Testimony> testimony;
   seen.variance.resize(mesh.size());
   {
-    const Array<Evidence> own = find_evidence(mesh, rings, ring_heights(mesh, rings, position, faces, job), job);
+    const Array<Evidence> own = find_evidence(mesh, rings, ring_heights(mesh, rings, position, job), job);
     const Array<Evidence> around = low_pass(rings, own, evidence_rings, job);
     testimony = find_testimony(own, around, job);
     job.serial(mesh.size(), [&](std::size_t v) { seen.variance[v] = variance_of(around[v]); });
@@ -222,15 +221,14 @@ NoiseSeen look_for_noise(const MeshArrays& mesh, const RingMeans& rings, const A
   return seen;
 }
 
-NoiseEstimate estimate_noise(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position,
-                             const FaceGeometry& faces, Job& job) {
+NoiseEstimate estimate_noise(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position, Job& job) {
   const GuidedWhole* const told = told_whole(mesh);
   if (told != nullptr && told->correlated) {
     NoiseEstimate noise = even_noise(mesh, told->noise);
     noise.correlated = true;
     return noise;
   }
-  NoiseSeen seen = look_for_noise(mesh, rings, position, faces, job);
+  NoiseSeen seen = look_for_noise(mesh, rings, position, job);
   NoiseEstimate noise;
   if (!seen.of_stairs.empty()) {
     noise.deviation = std::move(seen.of_stairs);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "face_geometry.h"
 #include "mesh_arrays.h"
 #include "ring_means.h"
 
@@ -35,8 +34,7 @@ NoiseEstimate even_noise(const MeshArrays& mesh, double deviation);
 /// that is correlated over several edges is taken for shape: see find_correlated_noise(). New here.
 ///
 /// In a piece of a larger mesh what is told of the whole takes the place of the sums.
-NoiseEstimate estimate_noise(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position,
-                             const FaceGeometry& faces, Job& job);
+NoiseEstimate estimate_noise(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position, Job& job);
 
 /// What a piece is told of the noise: all but the deviations, which are left empty.
 NoiseEstimate told_noise(const GuidedWhole& whole);
@@ -50,8 +48,7 @@ struct NoiseSeen {
   Array<double> confidence;          ///< whether these are enough: from 0 to 1
 };
 
-NoiseSeen look_for_noise(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position,
-                         const FaceGeometry& faces, Job& job);
+NoiseSeen look_for_noise(const MeshArrays& mesh, const RingMeans& rings, const Array<Vec3>& position, Job& job);
 
 /// What follows for a vertex from what is seen in the whole mesh.
 class NoiseByWhole {

@@ -15,7 +15,6 @@ inline UnitNormal in_single(const Vec3& n) {
   return {static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2]), 0};
 }
 
-Array<UnitNormal> in_single(const Array<Vec3>& normal, Job& job);
-Array<Vec3> in_double(const Array<UnitNormal>& normal, Job& job);
+inline Vec3 in_double(const UnitNormal& n) { return {n[0], n[1], n[2]}; }
 
 }  // namespace vcg_core::detail

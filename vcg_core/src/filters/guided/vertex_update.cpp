@@ -14,11 +14,11 @@ constexpr std::size_t grain = 4096;
 
 /// The plane that a face is to lie in: through its centroid as it lies now, along its filtered normal.
 struct Plane {
-  Vec3 normal;
+  Eigen::Vector3f normal;
   double offset;  ///< three times that of the centroid: n . (a + b + c)
 };
 
-/// @param use  is called with each face and its plane, after its offset is measured
+/// @param use  is called with each face and its normal
 template <class Use>
 void measure_offsets(const MeshArrays& mesh, const Array<Vec3>& position, Array<Plane>& plane, Job& job,
                      const Use& use) {
@@ -26,8 +26,9 @@ void measure_offsets(const MeshArrays& mesh, const Array<Vec3>& position, Array<
     while (chunks.next())
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
         const auto& v = mesh.face[f];
-        plane[f].offset = plane[f].normal.dot(position[v[0]] + position[v[1]] + position[v[2]]);
-        use(f, plane[f]);
+        const Vec3 normal = plane[f].normal.cast<double>();
+        plane[f].offset = normal.dot(position[v[0]] + position[v[1]] + position[v[2]]);
+        use(f, normal);
       }
   });
 }
@@ -36,9 +37,9 @@ void measure_offsets(const MeshArrays& mesh, const Array<Vec3>& position, Array<
 void find_folds(const MeshArrays& mesh, const Array<Vec3>& position, double cosine, Array<Plane>& plane,
                 Array<std::uint8_t>& folded, Job& job) {
   Array<std::uint8_t> face_folded(mesh.face.size());
-  measure_offsets(mesh, position, plane, job, [&](std::size_t f, const Plane& p) {
+  measure_offsets(mesh, position, plane, job, [&](std::size_t f, const Vec3& normal) {
     const Vec3 cross = area_vector(mesh, position, f);
-    face_folded[f] = cross.dot(p.normal) < cosine * cross.norm();
+    face_folded[f] = cross.dot(normal) < cosine * cross.norm();
   });
   folded.assign(mesh.size(), 0);
   job.serial(mesh.face.size(), [&](std::size_t f) {
@@ -53,13 +54,15 @@ Vec3 step_to_planes(const MeshArrays& mesh, const Array<Plane>& plane, const Vec
   Vec3 sum = Vec3::Zero();
   for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
     const Plane& p = plane[topology.star[s] / 3];
-    sum += p.normal * (p.offset - p.normal.dot(thrice));
+    const Vec3 normal = p.normal.cast<double>();
+    sum += normal * (p.offset - normal.dot(thrice));
   }
   return sum / (3.0 * (topology.star_begin[v + 1] - topology.star_begin[v]));
 }
 
 /// The displacement to the middle of the ring, less its part along the normals of the faces.
-Vec3 step_within_surface(const MeshArrays& mesh, const Array<Vec3>& normal, const Array<Vec3>& position, Index v) {
+Vec3 step_within_surface(const MeshArrays& mesh, const Array<UnitNormal>& normal, const Array<Vec3>& position,
+                         Index v) {
   const MeshTopology& topology = mesh.topology;
   const double count = topology.star_begin[v + 1] - topology.star_begin[v];
   Vec3 to_middle = Vec3::Zero();
@@ -71,7 +74,7 @@ Vec3 step_within_surface(const MeshArrays& mesh, const Array<Vec3>& normal, cons
   to_middle /= 2 * count;
   Vec3 along_normals = Vec3::Zero();
   for (Index s = topology.star_begin[v]; s < topology.star_begin[v + 1]; ++s) {
-    const Vec3& n = normal[topology.star[s] / 3];
+    const Vec3 n = in_double(normal[topology.star[s] / 3]);
     along_normals += n * n.dot(to_middle);
   }
   return to_middle - along_normals / count;
@@ -79,17 +82,17 @@ Vec3 step_within_surface(const MeshArrays& mesh, const Array<Vec3>& normal, cons
 
 }  // namespace
 
-void update_positions(const MeshArrays& mesh, const Array<Vec3>& normal, const Array<std::uint8_t>& movable,
+void update_positions(const MeshArrays& mesh, const Array<UnitNormal>& normal, const Array<std::uint8_t>& movable,
                       int updates, const GuidedSettings& settings, Array<Vec3>& position, Job& job) {
   Array<std::uint8_t> folded(mesh.size(), 0);
   Array<Vec3> moved(position);
   Array<Plane> plane(mesh.face.size());
-  job.serial(plane.size(), [&](std::size_t f) { plane[f].normal = normal[f]; });
+  job.serial(plane.size(), [&](std::size_t f) { plane[f].normal = normal[f].head<3>(); });
   for (int update = 0; update < updates; ++update) {
     if (settings.unfold && update % settings.updates_between_fold_checks == 0)
       find_folds(mesh, position, settings.fold_cosine, plane, folded, job);
     else
-      measure_offsets(mesh, position, plane, job, [](std::size_t, const Plane&) {});
+      measure_offsets(mesh, position, plane, job, [](std::size_t, const Vec3&) {});
     job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
       while (chunks.next())
         for (auto v = static_cast<Index>(chunks.begin()); v < chunks.end(); ++v) {

@@ -5,6 +5,7 @@
 
 #include "guided_settings.h"
 #include "mesh_arrays.h"
+#include "unit_normals.h"
 
 namespace vcg_core::detail {
 
@@ -15,7 +16,7 @@ namespace vcg_core::detail {
 /// Vertices move along the normals of faces and not along their own: at an edge they come back onto it, elsewhere they
 /// do not drift. New here: vertices of folded faces (turned away from their filtered normal), as noise in random
 /// directions leaves them, are drawn to the middle of their ring within the surface as well, until the fold is open.
-void update_positions(const MeshArrays& mesh, const Array<Vec3>& normal, const Array<std::uint8_t>& movable,
+void update_positions(const MeshArrays& mesh, const Array<UnitNormal>& normal, const Array<std::uint8_t>& movable,
                       int updates, const GuidedSettings& settings, Array<Vec3>& position, Job& job);
 
 }  // namespace vcg_core::detail

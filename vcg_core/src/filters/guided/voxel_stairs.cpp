@@ -12,6 +12,7 @@
 
 #include <vcg_core/mesh/guided_measures.h>
 
+#include "face_geometry.h"
 #include "job.h"
 #include "told_whole.h"
 
@@ -163,13 +164,14 @@ std::optional<VoxelGrid> grid_along(const Axes& axes, const GridSample& sample, 
 }
 
 /// The grid of a whole mesh.
-std::optional<VoxelGrid> find_grid(const MeshArrays& mesh, const FaceGeometry& faces, Job& job) {
+std::optional<VoxelGrid> find_grid(const MeshArrays& mesh, Job& job) {
   if (mesh.size() < least_vertices) return std::nullopt;
   GridSample sample;
   const std::size_t to_vertex = std::max<std::size_t>(1, mesh.size() / VoxelGridSample::usual_vertices);
   for (std::size_t v = 0; v < mesh.size(); v += to_vertex) sample.position.push_back(mesh.position[v]);
-  const std::size_t to_face = std::max<std::size_t>(1, faces.normal.size() / VoxelGridSample::usual_normals);
-  for (std::size_t f = 0; f < faces.normal.size(); f += to_face) sample.normal.push_back(faces.normal[f]);
+  const std::size_t to_face = std::max<std::size_t>(1, mesh.face.size() / VoxelGridSample::usual_normals);
+  for (std::size_t f = 0; f < mesh.face.size(); f += to_face)
+    sample.normal.push_back(direction_of_face(area_vector(mesh, mesh.position, f)));
   return find_voxel_grid(sample, mesh.topology.average_edge_length, [&](const VoxelGrid& grid) {
     ParityCounts counts{};
     job.serial(mesh.size(), [&](std::size_t v) { ++counts[parity_at(mesh.position[v], grid)]; });
@@ -207,9 +209,9 @@ std::optional<VoxelGrid> find_voxel_grid(const GridSample& sample, double edge_l
   return std::nullopt;
 }
 
-std::optional<VoxelStairs> find_voxel_stairs(const MeshArrays& mesh, const FaceGeometry& faces, Job& job) {
+std::optional<VoxelStairs> find_voxel_stairs(const MeshArrays& mesh, Job& job) {
   const GuidedWhole* const told = told_whole(mesh);
-  const std::optional<VoxelGrid> grid = told != nullptr ? told->grid : find_grid(mesh, faces, job);
+  const std::optional<VoxelGrid> grid = told != nullptr ? told->grid : find_grid(mesh, job);
   if (!grid) return std::nullopt;
   VoxelStairs stairs;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -226,14 +228,12 @@ std::optional<VoxelStairs> find_voxel_stairs(const MeshArrays& mesh, const FaceG
 }
 
 Array<double> deviations_by_stairs(const MeshArrays& mesh, const RingMeans& rings, const VoxelStairs& stairs,
-                                   const FaceGeometry& faces, Job& job) {
+                                   Job& job) {
   Array<Vec3> normal(mesh.size());
   job.serial(mesh.size(), [&](std::size_t v) {
     normal[v].setZero();
-    for (Index s = mesh.topology.star_begin[v]; s < mesh.topology.star_begin[v + 1]; ++s) {
-      const Index f = mesh.topology.star[s] / 3;
-      normal[v] += faces.normal[f] * faces.area[f];
-    }
+    for (Index s = mesh.topology.star_begin[v]; s < mesh.topology.star_begin[v + 1]; ++s)
+      normal[v] += area_vector(mesh, mesh.position, mesh.topology.star[s] / 3);
   });
   const auto [finest, widest] = std::minmax_element(stairs.step.begin(), stairs.step.end());
   const int times = static_cast<int>(std::ceil(rings_a_step * std::min(*widest / *finest, most_steps)));

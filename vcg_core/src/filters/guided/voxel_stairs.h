@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "face_geometry.h"
 #include "mesh_arrays.h"
 #include "ring_means.h"
 
@@ -29,7 +28,7 @@ struct VoxelStairs {
 /// half-way along the third. Clean models of exact coordinates, as grids and blocks of steps, fail in the last.
 /// Independent of the mesh's noise, for there is none. New here. In a piece of a larger mesh the grid is what is told
 /// of the whole.
-std::optional<VoxelStairs> find_voxel_stairs(const MeshArrays& mesh, const FaceGeometry& faces, Job& job);
+std::optional<VoxelStairs> find_voxel_stairs(const MeshArrays& mesh, Job& job);
 
 /// What a grid is looked for in first: some of the mesh's vertices and of its faces' normals.
 struct GridSample {
@@ -51,7 +50,6 @@ std::optional<VoxelGrid> find_voxel_grid(const GridSample& sample, double edge_l
 /// By vertex: standard deviation of its distance from the true surface, along that surface's normal n. For one between
 /// voxels along axis k it is uniform within |n_k| step_k / 2 to both sides. Its normal is taken from the faces as far
 /// around as the widest stairs are. 0 for vertices that are not of the grid.
-Array<double> deviations_by_stairs(const MeshArrays& mesh, const RingMeans& rings, const VoxelStairs& stairs,
-                                   const FaceGeometry& faces, Job& job);
+Array<double> deviations_by_stairs(const MeshArrays& mesh, const RingMeans& rings, const VoxelStairs& stairs, Job& job);
 
 }  // namespace vcg_core::detail

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
+#include "../ring_means.h"
 #include "job.h"
 
 namespace vcg_core::detail {
@@ -30,19 +30,18 @@ std::vector<double> band_limit_coefficients(double cut_off) {
   return coefficient;
 }
 
-std::vector<Array<Vec3>> band_limited_positions(const MeshArrays& mesh, const RingMeans& rings,
-                                                const Array<Vec3>& position, const std::vector<double>& cut_offs,
-                                                Job& job) {
-  std::optional<RingMeans> of_creases;
-  if (!mesh.topology.on_crease.empty()) of_creases.emplace(mesh, job, AtCreases::the_two_along_them);
-  const RingMeans& averaged = of_creases ? *of_creases : rings;
+std::vector<Array<Eigen::Vector3f>> band_limit_displacements(const MeshArrays& mesh, const Array<Vec3>& position,
+                                                             const std::vector<double>& cut_offs, Job& job) {
+  const RingMeans rings(mesh, job, AtCreases::the_two_along_them);
   std::vector<std::vector<double>> coefficients;
   std::size_t terms = 0;
   for (const double cut_off : cut_offs) {
     coefficients.push_back(band_limit_coefficients(cut_off));
     terms = std::max(terms, coefficients.back().size());
   }
-  std::vector<Array<Vec3>> sum(cut_offs.size(), Array<Vec3>(position.size()));
+  // The coefficients add up to 1, so the displacement is the sum of those of the terms.
+  std::vector<Array<Eigen::Vector3f>> sum(cut_offs.size(),
+                                          Array<Eigen::Vector3f>(position.size(), Eigen::Vector3f::Zero()));
   Array<Vec3> last(position.size());  // T_{n-1}
   Array<Vec3> current = position;     // T_n
   // T_1 = W T_0, T_{n+1} = 2 W T_n - T_{n-1}, written over T_{n-1}.
@@ -50,7 +49,7 @@ std::vector<Array<Vec3>> band_limited_positions(const MeshArrays& mesh, const Ri
     job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
       while (chunks.next())
         for (std::size_t v = chunks.begin(); v < chunks.end(); ++v) {
-          const Vec3 mean = averaged.mean(current, v);
+          const Vec3 mean = rings.mean(current, v);
           last[v] = n == 0 ? mean : Vec3(2 * mean - last[v]);
           use(v);
         }
@@ -60,11 +59,13 @@ std::vector<Array<Vec3>> band_limited_positions(const MeshArrays& mesh, const Ri
   // Two terms at a time: there are more sums than terms to read.
   for (std::size_t n = 0; n < terms; n += 2) {
     advance(n, [&](std::size_t v) {
+      const Vec3 of_term = current[v] - position[v], of_next = last[v] - position[v];
       for (std::size_t k = 0; k < sum.size(); ++k) {
         const std::vector<double>& c = coefficients[k];
         if (n >= c.size()) continue;
-        sum[k][v] = n == 0 ? Vec3(c[0] * current[v]) : Vec3(sum[k][v] + c[n] * current[v]);
-        if (n + 1 < c.size()) sum[k][v] += c[n + 1] * last[v];
+        Vec3 step = c[n] * of_term;
+        if (n + 1 < c.size()) step += c[n + 1] * of_next;
+        sum[k][v] += step.cast<float>();
       }
     });
     if (n + 2 < terms) advance(n + 1, [](std::size_t) {});

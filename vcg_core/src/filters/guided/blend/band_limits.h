@@ -3,12 +3,11 @@
 
 #include <vector>
 
-#include "../ring_means.h"
 #include "mesh_arrays.h"
 
 namespace vcg_core::detail {
 
-/// Low-passes of the positions, one for each cut-off.
+/// Displacements of the vertices by low-passes of their positions, one array for each cut-off.
 ///
 /// W takes the mean over the ring, on creases over the two neighbours along the crease. A wave of length L edges on a
 /// regular mesh has the eigenvalue cos(4.44 / L) of W. The low-pass multiplies that of cos(theta) by a step that falls
@@ -17,11 +16,9 @@ namespace vcg_core::detail {
 ///
 /// Source: Taubin, Zhang, Golub: Optimal surface smoothing as filter design, 1996, with the normal distribution in
 /// place of Hamming's window: its step does not ring.
-/// @param rings     without regard to creases
 /// @param cut_offs  theta, above 0 and below pi
-std::vector<Array<Vec3>> band_limited_positions(const MeshArrays& mesh, const RingMeans& rings,
-                                                const Array<Vec3>& position, const std::vector<double>& cut_offs,
-                                                Job& job);
+std::vector<Array<Eigen::Vector3f>> band_limit_displacements(const MeshArrays& mesh, const Array<Vec3>& position,
+                                                             const std::vector<double>& cut_offs, Job& job);
 
 /// The coefficients of Chebyshev's polynomials, from that of T_0 on; their sum is 1, so that the mean stays.
 std::vector<double> band_limit_coefficients(double cut_off);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../four_normals.h"
 #include "job.h"
 
 namespace vcg_core::detail {
@@ -40,19 +41,23 @@ Layer BlendNetwork::layer(int k) const {
 void NetworkInputs::fill(const Candidates& candidates, std::size_t first, std::size_t count) {
   const std::size_t size = candidates.size();
   row.resize(input_count(size, candidates.scalar.size()));
-  coordinate_.resize(3 * size);
-  for (std::size_t c = 0; c < size; ++c)
-    for (std::size_t lane = 0; lane < block; ++lane) {
-      const PackedNormal n = candidates.normal[c][first + std::min(lane, count - 1)];
-      coordinate_[3 * c].lane[lane] = n.x();
-      coordinate_[3 * c + 1].lane[lane] = n.y();
-      coordinate_[3 * c + 2].lane[lane] = n.z();
+  coordinate.resize(3 * size);
+  for (std::size_t c = 0; c < size; ++c) {
+    PackedNormal normal[block];
+    for (std::size_t lane = 0; lane < block; ++lane)
+      normal[lane] = candidates.normal[c][first + std::min(lane, count - 1)];
+    for (std::size_t lane = 0; lane < block; lane += 4) {
+      const FourNormals four = unpacked(normal + lane);
+      four.x.store(coordinate[3 * c].lane + lane);
+      four.y.store(coordinate[3 * c + 1].lane + lane);
+      four.z.store(coordinate[3 * c + 2].lane + lane);
     }
+  }
   BlockRow* next = row.data();
   for (std::size_t a = 0; a < size; ++a)
     for (std::size_t b = a + 1; b < size; ++b, ++next) {
-      const BlockRow* p = coordinate_.data() + 3 * a;
-      const BlockRow* q = coordinate_.data() + 3 * b;
+      const BlockRow* p = coordinate.data() + 3 * a;
+      const BlockRow* q = coordinate.data() + 3 * b;
       for (std::size_t lane = 0; lane < block; ++lane) {
         const float x = p[0].lane[lane] - q[0].lane[lane];
         const float y = p[1].lane[lane] - q[1].lane[lane];
@@ -60,8 +65,9 @@ void NetworkInputs::fill(const Candidates& candidates, std::size_t first, std::s
         next->lane[lane] = std::sqrt(x * x + y * y + z * z);
       }
     }
-  for (const Array<float>& scalar : candidates.scalar) {
-    for (std::size_t lane = 0; lane < block; ++lane) next->lane[lane] = scalar[first + std::min(lane, count - 1)];
+  for (const Array<PackedNumber>& scalar : candidates.scalar) {
+    for (std::size_t lane = 0; lane < block; ++lane)
+      next->lane[lane] = scalar[first + std::min(lane, count - 1)].value();
     ++next;
   }
 }
@@ -87,12 +93,9 @@ Array<UnitNormal> BlendNetwork::blend(const Candidates& candidates, Job& job) co
           const std::size_t f = first + lane;
           Vec3 sum = Vec3::Zero();
           for (std::size_t c = 0; c < candidates.size(); ++c)
-            sum += static_cast<double>(values[c].lane[lane]) * candidates.normal[c][f].vector().cast<double>();
+            sum += static_cast<double>(values[c].lane[lane]) * inputs.normal(c, lane);
           const double length = sum.norm();
-          if (length > no_direction) sum /= length;
-          const Vec3f safe = candidates.normal[safe_candidate][f].vector();
-          for (int k = 0; k < 3; ++k) blended[f][k] = length > no_direction ? static_cast<float>(sum[k]) : safe[k];
-          blended[f][3] = 0;
+          blended[f] = in_single(length > no_direction ? Vec3(sum / length) : inputs.normal(safe_candidate, lane));
         }
       }
   });

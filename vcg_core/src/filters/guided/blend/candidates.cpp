@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
+#include "../face_geometry.h"
+#include "../faces_around.h"
+#include "../four_normals.h"
 #include "../mean_normals.h"
 #include "../normal_filter.h"
 #include "../vertex_update.h"
@@ -36,68 +40,67 @@ void for_each(std::size_t count, Job& job, const Body& body) {
   });
 }
 
-/// Gives the memory of arrays back before others are made.
-template <class... Arrays>
-void release(Arrays&... arrays) {
-  (Arrays().swap(arrays), ...);
-}
-
 Array<PackedNormal> packed(const Array<UnitNormal>& normal, Job& job) {
   Array<PackedNormal> small(normal.size());
-  for_each(normal.size(), job, [&](std::size_t f) { small[f] = PackedNormal(normal[f].head<3>()); });
+  for_each(normal.size(), job, [&](std::size_t f) { small[f] = PackedNormal(normal[f]); });
   return small;
 }
 
-/// Measured anew in each stage, so that they need not be kept from the first to the second.
-Array<UnitNormal> noisy_normals(const CoarseResult& coarse, Job& job) {
-  Array<UnitNormal> normal(coarse.mesh.face.size());
-  for_each(normal.size(), job,
-           [&](std::size_t f) { normal[f] = in_single(direction_of_face(area_vector(coarse.mesh, coarse.noisy, f))); });
+/// @param position_of  gives that of a vertex
+template <class PositionOf>
+Array<PackedNormal> face_normals(const MeshArrays& mesh, const PositionOf& position_of, Job& job) {
+  Array<PackedNormal> normal(mesh.face.size());
+  for_each(normal.size(), job, [&](std::size_t f) {
+    const auto& v = mesh.face[f];
+    const Vec3 a = position_of(v[0]);
+    normal[f] = PackedNormal(in_single(direction_of_face((position_of(v[1]) - a).cross(position_of(v[2]) - a))));
+  });
   return normal;
 }
 
-Array<PackedNormal> packed_face_normals(const MeshArrays& mesh, const Array<Vec3>& position, Job& job) {
-  Array<PackedNormal> small(mesh.face.size());
-  for_each(small.size(), job, [&](std::size_t f) {
-    small[f] = PackedNormal(direction_of_face(area_vector(mesh, position, f)).cast<float>());
-  });
-  return small;
+Array<PackedNormal> face_normals(const MeshArrays& mesh, const Array<Vec3>& position, Job& job) {
+  return face_normals(
+      mesh, [&](Index v) { return position[v]; }, job);
 }
 
 /// Means over the neighbourhood by closeness and area.
 class NeighbourhoodMean {
  public:
-  NeighbourhoodMean(const CoarseResult& coarse, const FaceGeometry& faces, Job& job)
+  /// @param area  of the faces for vertices at `position`
+  NeighbourhoodMean(const CoarseResult& coarse, const Array<Vec3>& position, const Array<double>& area, Job& job)
       : within_(coarse.within),
-        weight_(closeness_weights(coarse.within, faces, coarse.spacing, coarse.settings.closeness, job)),
+        weight_(closeness_weights(coarse.within, coarse.mesh, position, area, coarse.spacing, coarse.settings.closeness,
+                                  job)),
         job_(job) {}
 
-  Array<UnitNormal> of_normals(const Array<UnitNormal>& normal) const {
-    return mean_of_neighbourhoods(within_, weight_, normal, job_);
+  Array<PackedNormal> of_normals(const Array<PackedNormal>& normal, int times = 1) const {
+    Array<PackedNormal> mean = mean_of_neighbourhoods(within_, weight_, normal, job_);
+    for (int time = 1; time < times; ++time) mean = mean_of_neighbourhoods(within_, weight_, mean, job_);
+    return mean;
   }
 
   /// Bilateral mean of `normal` by the differences of `guide`.
-  Array<UnitNormal> guided(const Array<UnitNormal>& guide, const Array<UnitNormal>& normal, double range_sigma) const {
+  Array<PackedNormal> guided(const Array<PackedNormal>& guide, const Array<PackedNormal>& normal,
+                             double range_sigma) const {
     return filter_normals(within_, weight_, guide, normal, range_sigma, job_);
   }
 
-  Array<UnitNormal> bilateral(Array<UnitNormal> normal, double range_sigma, int rounds) const {
-    for (int round = 0; round < rounds; ++round) normal = guided(normal, normal, range_sigma);
-    return normal;
+  Array<PackedNormal> bilateral(const Array<PackedNormal>& normal, double range_sigma, int rounds) const {
+    Array<PackedNormal> filtered = guided(normal, normal, range_sigma);
+    for (int round = 1; round < rounds; ++round) filtered = guided(filtered, filtered, range_sigma);
+    return filtered;
   }
 
+  using FourNumbers = std::array<PackedNumber, 4>;
+
   /// Means of four values at once, three times over.
-  Array<Eigen::Vector4f> of_values(Array<Eigen::Vector4f> value) const {
-    Array<Eigen::Vector4f> mean(value.size());
+  Array<FourNumbers> of_values(Array<FourNumbers> value) const {
+    Array<FourNumbers> mean(value.size());
     for (int time = 0; time < 3; ++time) {
-      for_each(value.size(), job_, [&](std::size_t f) {
-        Eigen::Vector4f sum = Eigen::Vector4f::Zero();
-        float total = 0;
-        for (std::size_t k = within_.begin[f]; k < within_.begin[f + 1]; ++k) {
-          sum += weight_[k] * value[within_.face[k]];
-          total += weight_[k];
-        }
-        mean[f] = total > 0 ? Eigen::Vector4f(sum / total) : value[f];
+      job_.parallel(within_.blocks(), grain / FaceLists::block_size, Loop::minor, [&](Chunks& chunks) {
+        std::vector<Eigen::Vector4f> values;
+        while (chunks.next())
+          for (std::size_t b = chunks.begin(); b < chunks.end(); ++b) mean_in_block(b, value, values, mean);
       });
       value.swap(mean);
     }
@@ -105,21 +108,43 @@ class NeighbourhoodMean {
   }
 
  private:
+  void mean_in_block(std::size_t b, const Array<FourNumbers>& value, std::vector<Eigen::Vector4f>& values,
+                     Array<FourNumbers>& mean) const {
+    const FaceLists::Block& lists = within_.block(b);
+    gather(lists, values, [&](std::size_t f) {
+      const FourNumbers& four = value[f];
+      return Eigen::Vector4f(four[0].value(), four[1].value(), four[2].value(), four[3].value());
+    });
+    for_each_list(lists, [&](std::size_t i, std::size_t first, std::size_t length) {
+      const std::uint16_t* const place = lists.entry.data() + first;
+      const std::uint16_t* const weight = weight_.data() + lists.first_entry + first;
+      Eigen::Vector4f sum = Eigen::Vector4f::Zero();
+      float total = 0;
+      for (std::size_t k = 0; k < length; ++k) {
+        sum += static_cast<float>(weight[k]) * values[place[k]];
+        total += static_cast<float>(weight[k]);
+      }
+      sum = total > 0 ? Eigen::Vector4f(sum / total) : values[i];
+      for (std::size_t k = 0; k < 4; ++k) mean[lists.first + i][k] = PackedNumber(sum[static_cast<int>(k)]);
+    });
+  }
+
   const FaceLists& within_;
-  Array<float> weight_;
+  ListWeights weight_;
   Job& job_;
 };
 
 /// A sum of normals by area.
 class NormalsByArea {
  public:
-  void add(const UnitNormal& normal, double area) {
-    sum_ += area * normal.head<3>().cast<double>();
+  /// @param vector  a normal times its area, or what is proportional to it
+  void add(const Vec3& vector, double area) {
+    sum_ += vector;
     total_ += area;
   }
   /// sqrt(1 - length of the mean unit normal), which grows with the angle between them.
-  float spread() const {
-    return total_ > 0 ? static_cast<float>(std::sqrt(std::max(0.0, 1 - sum_.norm() / total_))) : 0;
+  PackedNumber spread() const {
+    return PackedNumber(total_ > 0 ? static_cast<float>(std::sqrt(std::max(0.0, 1 - sum_.norm() / total_))) : 0);
   }
 
  private:
@@ -127,22 +152,51 @@ class NormalsByArea {
   double total_ = 0;
 };
 
+/// Normals of the faces near a stretch of faces, which are unpacked at once.
+class NormalsNear {
+ public:
+  explicit NormalsNear(const Array<PackedNormal>& normal) : normal_(normal) {}
+
+  void begin(std::size_t first, std::size_t end) {
+    first_ = first;
+    stretch_.resize(end - first);
+    unpack(normal_.data() + first, stretch_.size(), stretch_.data());
+  }
+
+  Vec3 operator[](std::size_t f) const {
+    if (f - first_ < stretch_.size()) return in_double(stretch_[f - first_]);
+    UnitNormal far;
+    unpack(&normal_[f], 1, &far);
+    return in_double(far);
+  }
+
+ private:
+  const Array<PackedNormal>& normal_;
+  std::size_t first_ = 0;
+  std::vector<UnitNormal> stretch_;
+};
+
 /// How far the normals of the faces around each face spread: those of two filtered ones, with areas after filtering,
 /// and the noisy ones with theirs.
-void add_spreads(const CoarseResult& coarse, const Array<UnitNormal>& noisy, const Array<UnitNormal>& filtered,
-                 const Array<UnitNormal>& finer, const Array<double>& area, Job& job, Candidates& candidates) {
+void add_spreads(const CoarseResult& coarse, const Array<PackedNormal>& filtered, const Array<PackedNormal>& finer,
+                 const Array<double>& area, Job& job, Candidates& candidates) {
   const Array<Index> across = faces_across(coarse.mesh, job);
-  Array<float> spread[3] = {Array<float>(area.size()), Array<float>(area.size()), Array<float>(area.size())};
+  Array<PackedNumber> spread[3];
+  for (Array<PackedNumber>& one : spread) one.resize(area.size());
   job.parallel(area.size(), grain, Loop::minor, [&](Chunks& chunks) {
     FacesAround around(coarse.mesh, across);
+    NormalsNear filtered_near(filtered), finer_near(finer);
     while (chunks.next()) {
       around.forget_all();
+      filtered_near.begin(chunks.begin(), chunks.end());
+      finer_near.begin(chunks.begin(), chunks.end());
       for (std::size_t f = chunks.begin(); f < chunks.end(); ++f) {
         NormalsByArea of_filtered, of_finer, of_noisy;
         for (const Index g : around.find(static_cast<Index>(f))) {
-          of_filtered.add(filtered[g], area[g]);
-          of_finer.add(finer[g], area[g]);
-          of_noisy.add(noisy[g], area_vector(coarse.mesh, coarse.noisy, g).norm() / 2);
+          of_filtered.add(area[g] * filtered_near[g], area[g]);
+          of_finer.add(area[g] * finer_near[g], area[g]);
+          const Vec3 noisy = area_vector(coarse.mesh, coarse.noisy, g);
+          of_noisy.add(noisy, noisy.norm());
         }
         spread[0][f] = of_filtered.spread();
         spread[1][f] = of_finer.spread();
@@ -150,18 +204,19 @@ void add_spreads(const CoarseResult& coarse, const Array<UnitNormal>& noisy, con
       }
     }
   });
-  for (Array<float>& one : spread) candidates.scalar.push_back(std::move(one));
+  for (Array<PackedNumber>& one : spread) candidates.scalar.push_back(std::move(one));
 }
 
 void add_scalars(const CoarseResult& coarse, Job& job, Candidates& candidates) {
   const double e = coarse.mesh.topology.average_edge_length;
   const double scale = coarse.settings.noise_scale;
-  Array<float> noise(coarse.spacing.size()), size(coarse.spacing.size());
+  Array<PackedNumber> noise(coarse.spacing.size()), size(coarse.spacing.size());
   for_each(noise.size(), job, [&](std::size_t f) {
     double sum = 0;
     for (const Index v : coarse.mesh.face[f]) sum += coarse.noise.deviation[v];
-    noise[f] = static_cast<float>(std::sqrt(scale * 0.2 * sum / coarse.spacing[f]));  // 0.6 spacings are an edge
-    size[f] = static_cast<float>(coarse.spacing[f] / (coarse.spacing[f] + 0.6 * e));
+    // 0.6 spacings are an edge.
+    noise[f] = PackedNumber(static_cast<float>(std::sqrt(scale * 0.2 * sum / coarse.spacing[f])));
+    size[f] = PackedNumber(static_cast<float>(coarse.spacing[f] / (coarse.spacing[f] + 0.6 * e)));
   });
   candidates.scalar.push_back(std::move(noise));
   candidates.scalar.push_back(std::move(size));
@@ -169,31 +224,35 @@ void add_scalars(const CoarseResult& coarse, Job& job, Candidates& candidates) {
 
 using Pair = std::array<std::size_t, 2>;
 
-/// Not Eigen's norm: on ARM that adds three floats in another order, which ends in other bits.
-float distance(const Vec3f& a, const Vec3f& b) {
-  const Vec3f d = a - b;
-  return std::sqrt(d[0] * d[0] + (d[1] * d[1] + d[2] * d[2]));
+/// Calls use(f, distance) for each face.
+template <class Use>
+void measure_distances(const Array<PackedNormal>& a, const Array<PackedNormal>& b, Job& job, const Use& use) {
+  job.parallel(a.size(), grain, Loop::minor, [&](Chunks& chunks) {
+    alignas(sizeof(Quad)) float distance[4];
+    while (chunks.next())
+      for (std::size_t f = chunks.begin(); f < chunks.end(); f += 4) {
+        const std::size_t count = std::min<std::size_t>(4, chunks.end() - f);
+        sqrt(squared_distances(unpacked(&a[f], count), unpacked(&b[f], count))).store(distance);
+        for (std::size_t k = 0; k < count; ++k) use(f + k, distance[k]);
+      }
+  });
 }
 
 /// Differences between candidates around the face, which tell more of noise and shape than those at the face alone.
 /// Some at a time, so that they take little memory.
 void add_context(const NeighbourhoodMean& mean, const std::vector<Pair>& pairs, Job& job, Candidates& candidates) {
-  constexpr std::size_t at_a_time = 4;
-  Array<Eigen::Vector4f> difference(candidates.normal.front().size());
+  using FourNumbers = NeighbourhoodMean::FourNumbers;
+  constexpr std::size_t at_a_time = std::tuple_size_v<FourNumbers>;
+  Array<FourNumbers> difference(candidates.normal.front().size());
   for (std::size_t first = 0; first < pairs.size(); first += at_a_time) {
     const std::size_t count = std::min(at_a_time, pairs.size() - first);
-    for_each(difference.size(), job, [&](std::size_t f) {
-      difference[f].setZero();
-      for (std::size_t p = 0; p < count; ++p) {
-        const auto [a, b] = pairs[first + p];
-        difference[f][static_cast<int>(p)] =
-            distance(candidates.normal[a][f].vector(), candidates.normal[b][f].vector());
-      }
-    });
+    for (std::size_t p = 0; p < count; ++p)
+      measure_distances(candidates.normal[pairs[first + p][0]], candidates.normal[pairs[first + p][1]], job,
+                        [&](std::size_t f, float distance) { difference[f][p] = PackedNumber(distance); });
     difference = mean.of_values(std::move(difference));
     for (std::size_t p = 0; p < count; ++p) {
-      Array<float> one(difference.size());
-      for_each(one.size(), job, [&](std::size_t f) { one[f] = difference[f][static_cast<int>(p)]; });
+      Array<PackedNumber> one(difference.size());
+      for_each(one.size(), job, [&](std::size_t f) { one[f] = difference[f][p]; });
       candidates.scalar.push_back(std::move(one));
     }
   }
@@ -226,14 +285,21 @@ Array<Vec3> without_outliers(const CoarseResult& coarse, Job& job) {
 }
 
 /// The normals of band-limited positions, one array for each cut-off.
-std::vector<Array<PackedNormal>> band_limited_normals(const CoarseResult& coarse, const Array<Vec3>& position,
+std::vector<Array<PackedNormal>> band_limited_normals(const MeshArrays& mesh, const Array<Vec3>& position,
                                                       const std::vector<double>& cut_offs, Job& job) {
   std::vector<Array<PackedNormal>> normals;
-  for (Array<Vec3>& low : band_limited_positions(coarse.mesh, coarse.rings, position, cut_offs, job)) {
-    normals.push_back(packed_face_normals(coarse.mesh, low, job));
-    release(low);
+  for (Array<Eigen::Vector3f>& displacement : band_limit_displacements(mesh, position, cut_offs, job)) {
+    normals.push_back(face_normals(
+        mesh, [&](Index v) { return Vec3(position[v] + displacement[v].cast<double>()); }, job));
+    release(displacement);
   }
   return normals;
+}
+
+Array<double> face_areas(const MeshArrays& mesh, const Array<Vec3>& position, Job& job) {
+  Array<double> area(mesh.face.size());
+  for_each(area.size(), job, [&](std::size_t f) { area[f] = area_vector(mesh, position, f).norm() / 2; });
+  return area;
 }
 
 void add_normals(std::vector<Array<PackedNormal>> normals, Candidates& candidates) {
@@ -247,35 +313,30 @@ double median_residual(const CoarseResult& coarse, Job& job) {
 }
 
 Candidates first_candidates(CoarseResult& coarse, Job& job) {
-  // First, so that the memory of the positions is free again when the weights of the neighbourhoods come.
-  std::vector<Array<PackedNormal>> low =
-      band_limited_normals(coarse, without_outliers(coarse, job), first_cut_offs, job);
-  release(coarse.position);
-  const NeighbourhoodMean mean(coarse, coarse.faces, job);
-  release(coarse.faces.centroid);
-  const double range = coarse.settings.fine_range;
-  Array<UnitNormal> raw = noisy_normals(coarse, job);
-  Array<UnitNormal> filtered = in_single(coarse.faces.normal, job);
-  release(coarse.faces.normal);
   Candidates candidates;
-  const auto add = [&](const Array<UnitNormal>& normal) { candidates.normal.push_back(packed(normal, job)); };
-  add(raw);
-  add(filtered);
-  Array<UnitNormal> fine = mean.bilateral(filtered, range, 4);
-  add(fine);
-  fine = mean.bilateral(std::move(fine), range, 12);
-  add(fine);
-  add_spreads(coarse, raw, filtered, fine, coarse.faces.area, job, candidates);
-  release(filtered, coarse.faces.area);
-  Array<UnitNormal> normal = mean.of_normals(raw);
-  add(normal);
-  add(mean.of_normals(mean.of_normals(normal)));
-  normal = mean.guided(fine, raw, range);
-  release(raw);
-  add(normal);
-  normal = mean.guided(fine, normal, 4. / 3 * range);
-  add(mean.guided(fine, normal, 4. / 3 * range));
-  release(fine, normal);
+  const auto add = [&](Array<PackedNormal> one) { candidates.normal.push_back(std::move(one)); };
+  enum : std::size_t { raw, filtered, fine, finer, mean_of_raw, guided = 6 };  // places of some
+  const auto& normal = candidates.normal;
+  candidates.normal.reserve(14);  // so that references to them stay
+  add(face_normals(coarse.mesh, coarse.noisy, job));
+  add(packed(coarse.faces.normal, job));
+  // The low-passes take the most memory: without the coarse faces, and before the weights of the neighbourhoods come.
+  Array<Vec3> held = without_outliers(coarse, job);
+  release(coarse.faces.normal, coarse.faces.area);
+  std::vector<Array<PackedNormal>> low = band_limited_normals(coarse.mesh, held, first_cut_offs, job);
+  release(held);
+  Array<double> area = face_areas(coarse.mesh, coarse.position, job);
+  const NeighbourhoodMean mean(coarse, coarse.position, area, job);
+  release(coarse.position);
+  const double range = coarse.settings.fine_range;
+  add(mean.bilateral(normal[filtered], range, 4));
+  add(mean.bilateral(normal[fine], range, 12));
+  add_spreads(coarse, normal[filtered], normal[finer], area, job, candidates);
+  release(area);
+  add(mean.of_normals(normal[raw]));
+  add(mean.of_normals(normal[mean_of_raw], 2));
+  add(mean.guided(normal[finer], normal[raw], range));
+  add(mean.guided(normal[finer], mean.guided(normal[finer], normal[guided], 4. / 3 * range), 4. / 3 * range));
   add_normals(std::move(low), candidates);
 
   add_scalars(coarse, job, candidates);
@@ -283,39 +344,34 @@ Candidates first_candidates(CoarseResult& coarse, Job& job) {
   return candidates;
 }
 
-Candidates second_candidates(const CoarseResult& coarse, Array<UnitNormal> blended, Job& job) {
+Candidates second_candidates(const CoarseResult& coarse, Array<UnitNormal> blended_normals, Job& job) {
   constexpr int updates = 10;
   Array<Vec3> position = coarse.noisy;
-  update_positions(coarse.mesh, in_double(blended, job), coarse.movable, updates, coarse.settings, position, job);
-  FaceGeometry faces;
-  std::vector<Array<PackedNormal>> low = band_limited_normals(coarse, position, second_cut_offs, job);
-  Array<PackedNormal> moved = packed_face_normals(coarse.mesh, position, job);
-  faces.measure(coarse.mesh, position, job);
-  release(position, faces.normal);
-  const NeighbourhoodMean mean(coarse, faces, job);
-  release(faces.centroid);
-  const double range = coarse.settings.fine_range;
-  Array<UnitNormal> raw = noisy_normals(coarse, job);
+  update_positions(coarse.mesh, blended_normals, coarse.movable, updates, coarse.settings, position, job);
   Candidates candidates;
-  const auto add = [&](const Array<UnitNormal>& normal) { candidates.normal.push_back(packed(normal, job)); };
-  add(raw);
-  add(blended);
-  Array<UnitNormal> fine = mean.bilateral(blended, range, 3);
-  add(fine);
-  add_spreads(coarse, raw, blended, fine, faces.area, job, candidates);
-  release(faces.area);
-  add(mean.bilateral(fine, range, 7));
-  add(mean.bilateral(blended, range / 2, 6));
-  release(fine);
-  Array<UnitNormal> normal = mean.of_normals(blended);
-  add(normal);
-  add(mean.of_normals(mean.of_normals(normal)));
-  normal = mean.guided(blended, raw, 2. / 3 * range);
-  release(raw);
-  add(normal);
-  add(mean.guided(blended, mean.guided(blended, normal, range), range));
-  release(blended, normal);
-  candidates.normal.push_back(std::move(moved));
+  const auto add = [&](Array<PackedNormal> one) { candidates.normal.push_back(std::move(one)); };
+  enum : std::size_t { raw, blended, fine, mean_of_blended = 5, guided = 7 };  // places of some
+  const auto& normal = candidates.normal;
+  candidates.normal.reserve(12);  // so that references to them stay
+  add(face_normals(coarse.mesh, coarse.noisy, job));
+  add(packed(blended_normals, job));
+  release(blended_normals);
+  std::vector<Array<PackedNormal>> low = band_limited_normals(coarse.mesh, position, second_cut_offs, job);
+  Array<PackedNormal> moved = face_normals(coarse.mesh, position, job);
+  Array<double> area = face_areas(coarse.mesh, position, job);
+  const NeighbourhoodMean mean(coarse, position, area, job);
+  release(position);
+  const double range = coarse.settings.fine_range;
+  add(mean.bilateral(normal[blended], range, 3));
+  add_spreads(coarse, normal[blended], normal[fine], area, job, candidates);
+  release(area);
+  add(mean.bilateral(normal[fine], range, 7));
+  add(mean.bilateral(normal[blended], range / 2, 6));
+  add(mean.of_normals(normal[blended]));
+  add(mean.of_normals(normal[mean_of_blended], 2));
+  add(mean.guided(normal[blended], normal[raw], 2. / 3 * range));
+  add(mean.guided(normal[blended], mean.guided(normal[blended], normal[guided], range), range));
+  add(std::move(moved));
   add_normals(std::move(low), candidates);
 
   add_scalars(coarse, job, candidates);

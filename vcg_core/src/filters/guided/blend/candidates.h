@@ -4,16 +4,18 @@
 #include <vector>
 
 #include "../coarse_result.h"
+#include "../packed_normal.h"
 #include "../unit_normals.h"
 #include "mesh_arrays.h"
-#include "packed_normal.h"
+#include "packed_number.h"
 
 namespace vcg_core::detail {
 
 /// What the blend of normals chooses from and what it sees: by face.
 struct Candidates {
   std::vector<Array<PackedNormal>> normal;  ///< differently filtered; those of faces without area may be zero
-  std::vector<Array<float>> scalar;  ///< spread of normals around the face, noise, spacing and differences around it
+  /// Spread of normals around the face, noise, spacing and differences around it.
+  std::vector<Array<PackedNumber>> scalar;
 
   std::size_t size() const { return normal.size(); }
 };
