@@ -203,13 +203,16 @@ TEST(PackedNormal, IsTheNormalAsFarAsItsBitsReach) {
     const Vec3 packed = test_support::unpacked(PackedNormal(in_single(n)));
     EXPECT_LT((packed - n).norm(), 7e-5) << n.transpose();
     EXPECT_NEAR(packed.norm(), 1, 2e-7);
-    EXPECT_EQ(test_support::unpacked(PackedNormal(in_single(packed))), packed);  // once is enough
+    EXPECT_EQ(test_support::unpacked(PackedNormal(in_single(packed))), packed);  // packing again changes nothing
   }
   for (int axis = 0; axis < 3; ++axis)
     for (const double sign : {-1.0, 1.0}) {
       const Vec3 unit = sign * Vec3::Unit(axis);
-      EXPECT_EQ(test_support::unpacked(PackedNormal(in_single(unit))), unit);
-      EXPECT_EQ(test_support::unpacked(PackedNormal(in_single(Vec3(1.0000002 * unit)))), unit);
+      for (const double length : {1.0, 1.0000002}) {
+        const Vec3 packed = test_support::unpacked(PackedNormal(in_single(Vec3(length * unit))));
+        EXPECT_EQ(Vec3(packed / packed.norm()), unit);
+        EXPECT_NEAR(packed.norm(), 1, 2e-7);
+      }
     }
   EXPECT_EQ(test_support::unpacked(PackedNormal()), Vec3(Vec3::Zero()));
   EXPECT_EQ(test_support::unpacked(PackedNormal(UnitNormal::Zero())), Vec3(Vec3::Zero()));
@@ -230,6 +233,26 @@ TEST(PackedNormal, UnpacksAnyNumberAtOnce) {
       EXPECT_EQ(unit[i][3], 0);
     }
     EXPECT_EQ(unit[count], UnitNormal(UnitNormal::Constant(7)));
+  }
+}
+
+TEST(PackedNormal, IsPackedFourAtATimeAlike) {
+  mesh_tools::Random random(10);
+  for (int i = 0; i < 1000; ++i) {
+    UnitNormal normal[4];
+    PackedNormal packed[4];
+    for (UnitNormal& n : normal) {
+      const vcg::Point3d d = random.direction();
+      n = in_single(Vec3(d[0], d[1], d[2]));
+    }
+    normal[i % 4] = i % 3 == 0 ? UnitNormal(UnitNormal::Zero()) : UnitNormal(-UnitNormal::Unit(i % 3));
+    const auto coordinate = [&](int k) {
+      return FourFloats(quad::set(normal[0][k], normal[1][k], normal[2][k], normal[3][k]));
+    };
+    pack({coordinate(0), coordinate(1), coordinate(2)}, packed);
+    for (int k = 0; k < 4; ++k)
+      EXPECT_EQ(test_support::unpacked(packed[k]), test_support::unpacked(PackedNormal(normal[k])))
+          << normal[k].transpose();
   }
 }
 

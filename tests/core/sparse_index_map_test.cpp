@@ -19,7 +19,8 @@ TEST(SparseIndexMap, HoldsWhatWasSetSinceItWasCleared) {
     for (int k = 0; k < 300; ++k) {
       const Index i = random() % 10000;
       const std::uint32_t number = random() % 1000;
-      map.set(i, number);
+      const auto before = expected.find(i);
+      ASSERT_EQ(map.exchange(i, number), before == expected.end() ? SparseIndexMap::none : before->second);
       expected[i] = number;
     }
     for (Index i = 0; i < 10000; ++i)

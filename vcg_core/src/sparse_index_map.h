@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "mesh_arrays.h"
@@ -22,10 +23,13 @@ class SparseIndexMap {
 
   std::uint32_t operator[](Index i) const { return number_[page_[i / page_size] + i % page_size]; }
 
-  void set(Index i, std::uint32_t number) {
+  void set(Index i, std::uint32_t number) { exchange(i, number); }
+
+  /// Sets a number and gives what it was.
+  std::uint32_t exchange(Index i, std::uint32_t number) {
     std::uint32_t& page = page_[i / page_size];
     if (page == 0) page = take_page(i / page_size);
-    number_[page + i % page_size] = number;
+    return std::exchange(number_[page + i % page_size], number);
   }
 
   /// Makes all numbers `none` and keeps the memory.

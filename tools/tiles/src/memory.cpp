@@ -32,7 +32,7 @@ struct Needs {
 };
 
 Needs needs_of(vcg_core::Method method) {
-  if (method == vcg_core::Method::guided) return {1150, 120, 8, 1150};  // even meshes take 800
+  if (method == vcg_core::Method::guided) return {650, 120, 8, 620};  // even meshes take 450
   return {720, 40, 0, 620};                                             // of the reach about 12, the rest are cells
 }
 

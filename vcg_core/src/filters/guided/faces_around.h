@@ -30,19 +30,23 @@ template <class OnFace, class OnVertex>
 void visit_faces_around(const MeshArrays& mesh, const Array<Index>& across, Index f, const OnFace& on_face,
                         const OnVertex& on_vertex) {
   on_face(f);
-  for (Index corner = 3 * f; corner < 3 * f + 3; ++corner)
-    if (across[corner] != no_face) on_face(across[corner]);
+  bool has_all_across = true;  // as faces of its vertices
   for (Index corner = 3 * f; corner < 3 * f + 3; ++corner) {
     const Index v = vertex_of(mesh, corner);
-    if (faces_of(mesh.topology, v) > many_faces) continue;
-    if (!mesh.topology.is_on_crease(v)) {
+    const bool has_few = faces_of(mesh.topology, v) <= many_faces;
+    if (has_few && !mesh.topology.is_on_crease(v)) {
       on_vertex(v);
       continue;
     }
+    has_all_across = false;
+    if (!has_few) continue;
     Array<Index> sector;
     add_faces_of_sector(mesh, v, corner, sector);
     for (const Index g : sector) on_face(g);
   }
+  if (has_all_across) return;
+  for (Index corner = 3 * f; corner < 3 * f + 3; ++corner)
+    if (across[corner] != no_face) on_face(across[corner]);
 }
 
 /// Calls visit(g) for the faces of a vertex.
@@ -60,11 +64,7 @@ class Marks {
   void forget_all() { seen_from_.clear(); }
   bool has(Index i) const { return seen_from_[i] == current_; }
   /// Whether it was not marked before.
-  bool add(Index i) {
-    if (has(i)) return false;
-    seen_from_.set(i, current_);
-    return true;
-  }
+  bool add(Index i) { return seen_from_.exchange(i, current_) != current_; }
 
  private:
   SparseIndexMap seen_from_;

@@ -21,21 +21,45 @@ inline FourFloats squared_distances(const FourNormals& a, const FourNormals& b) 
   return x * x + (y * y + z * z);
 }
 
+inline FourFloats where(QuadMask mask, FourFloats yes, FourFloats no) {
+  return quad::select(mask, yes.value, no.value);
+}
+
+inline QuadMask less(FourFloats a, FourFloats b) { return quad::less(a.value, b.value); }
+
+/// Gives a number the sign of another.
+inline FourFloats with_sign(FourFloats positive, FourFloats of) {
+  return where(less(of, 0.0F), FourFloats(0.0F) - positive, positive);
+}
+
 /// Four that follow each other.
 inline FourNormals unpacked(const PackedNormal* normals) {
   constexpr float one = PackedNormal::one;
-  const auto where = [](QuadMask mask, FourFloats yes, FourFloats no) {
-    return FourFloats(quad::select(mask, yes.value, no.value));
-  };
   FourFloats x = quad::low_halves(PackedNormal::bits(normals));
   FourFloats y = quad::high_halves(PackedNormal::bits(normals));
   const FourFloats z = FourFloats(one) - abs(x) - abs(y);
-  const FourFloats zero = 0.0F, fold = min(z, zero);
-  const QuadMask is_zero = quad::less(x.value, FourFloats(-one).value);
-  x = x + where(quad::less(x.value, zero.value), zero - fold, fold);
-  y = y + where(quad::less(y.value, zero.value), zero - fold, fold);
-  const FourFloats length = sqrt(x * x + y * y + z * z);
-  return {where(is_zero, zero, x / length), where(is_zero, zero, y / length), where(is_zero, zero, z / length)};
+  const FourFloats zero = 0.0F;
+  const FourFloats fold = zero - min(z, zero);
+  const QuadMask is_zero = less(x, -one);
+  x = x - with_sign(fold, x);
+  y = y - with_sign(fold, y);
+  const FourFloats scale = where(is_zero, zero, FourFloats(1.0F) / sqrt(x * x + y * y + z * z));
+  return {x * scale, y * scale, z * scale};
+}
+
+/// The same bits as PackedNormal makes of one.
+inline void pack(const FourNormals& normal, PackedNormal (&packed)[4]) {
+  const FourFloats sum = abs(normal.x) + abs(normal.y) + abs(normal.z);
+  FourFloats x = normal.x / sum, y = normal.y / sum;
+  const QuadMask below = less(normal.z, 0.0F);
+  const FourFloats folded = where(below, with_sign(FourFloats(1.0F) - abs(y), x), x);
+  y = where(below, with_sign(FourFloats(1.0F) - abs(x), y), y);
+  const QuadMask is_not_zero = less(0.0F, sum);
+  constexpr float one = PackedNormal::one;
+  alignas(sizeof(Quad)) float places[2][4];
+  where(is_not_zero, folded * FourFloats(one), PackedNormal::none).store(places[0]);
+  where(is_not_zero, y * FourFloats(one), PackedNormal::none).store(places[1]);
+  for (int k = 0; k < 4; ++k) packed[k] = PackedNormal::at(places[0][k], places[1][k]);
 }
 
 /// Up to four; the last one stands for those that are missing.

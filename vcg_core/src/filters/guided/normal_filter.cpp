@@ -21,11 +21,6 @@ constexpr std::size_t grain = 4;
 /// Sums of normals that are shorter, as a share of their weights, have no direction: they cancel each other.
 constexpr float no_direction = 1e-5F;
 
-UnitNormal direction_of(const UnitNormal& sum, float total, const UnitNormal& otherwise) {
-  const float length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
-  return length > no_direction * total ? UnitNormal(sum / length) : otherwise;
-}
-
 /// In units of the largest divided by 65535.
 void write_shares(const std::vector<float>& weight, std::uint16_t* share) {
   const float largest = *std::max_element(weight.begin(), weight.end());
@@ -84,12 +79,11 @@ class NormalSum {
     total_ += weight;
   }
 
-  UnitNormal direction(const UnitNormal& otherwise) const {
+  /// The sum, and as its fourth number that of the weights.
+  void store(UnitNormal& sum) const {
     FourFloats x = x_, y = y_, z = z_, total = total_;
     transpose(x, y, z, total);
-    alignas(sizeof(Quad)) float sum[4];
-    quad::store(sum, (x + y + (z + total)).value);
-    return direction_of(UnitNormal(sum[0], sum[1], sum[2], 0), sum[3], otherwise);
+    (x + y + (z + total)).store(sum.data());
   }
 
  private:
@@ -136,6 +130,29 @@ void gather_normals(const FaceLists::Block& block, const Array<PackedNormal>& no
   }
 }
 
+/// The directions of four sums as NormalSum stores them; where they have none, the normals.
+FourNormals directions(const UnitNormal* sums, const UnitNormal* normals) {
+  const auto rows = [](const UnitNormal* four, FourFloats(&row)[4]) {
+    for (int k = 0; k < 4; ++k) row[k] = FourFloats::at(four[k].data());
+    transpose(row[0], row[1], row[2], row[3]);
+  };
+  FourFloats sum[4], normal[4];
+  rows(sums, sum);
+  rows(normals, normal);
+  const FourFloats length = sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+  const QuadMask has_direction = less(FourFloats(no_direction) * sum[3], length);
+  return {where(has_direction, sum[0] / length, normal[0]), where(has_direction, sum[1] / length, normal[1]),
+          where(has_direction, sum[2] / length, normal[2])};
+}
+
+void store(const FourNormals& normals, UnitNormal (&unit)[4]) {
+  FourFloats rows[] = {normals.x, normals.y, normals.z, 0.0F};
+  transpose(rows[0], rows[1], rows[2], rows[3]);
+  for (int k = 0; k < 4; ++k) rows[k].store(unit[k].data());
+}
+
+void store(const FourNormals& normals, PackedNormal (&packed)[4]) { pack(normals, packed); }
+
 /// Gives each normal the direction of a sum over its list.
 /// @param begin_block  called with each block and its normals; gives sum_of(i, list) of the block's i-th face
 template <class Normal, class BeginBlock>
@@ -145,6 +162,8 @@ Array<Normal> filter_each(const FaceLists& within, const ListWeights& weight, co
   job.parallel(within.blocks(), grain, Loop::minor, [&](Chunks& chunks) {
     std::vector<UnitNormal> normals, guides;
     std::vector<float> weights;
+    std::vector<UnitNormal> sums(FaceLists::block_size, UnitNormal::Zero());
+    Normal four[4];
     while (chunks.next())
       for (std::size_t b = chunks.begin(); b < chunks.end(); ++b) {
         const FaceLists::Block& block = within.block(b);
@@ -154,9 +173,16 @@ Array<Normal> filter_each(const FaceLists& within, const ListWeights& weight, co
         weights.resize(block.entry.size());
         for (std::size_t k = 0; k < weights.size(); ++k) weights[k] = static_cast<float>(shares[k]);
         for_each_list(block, [&](std::size_t i, std::size_t first, std::size_t length) {
-          const NormalSum sum = sum_of(i, List{block.entry.data() + first, weights.data() + first, length});
-          filtered[block.first + i] = Normal(sum.direction(normals[i]));
+          sum_of(i, List{block.entry.data() + first, weights.data() + first, length}).store(sums[i]);
         });
+        const std::size_t count = block.length.size();
+        normals.resize(std::max(normals.size(), FaceLists::block_size),
+                       UnitNormal::Zero());  // so that four can be read
+        for (std::size_t i = 0; i < count; i += 4) {
+          store(directions(&sums[i], &normals[i]), four);
+          std::copy_n(four, std::min<std::size_t>(4, count - i),
+                      filtered.begin() + static_cast<std::ptrdiff_t>(block.first + i));
+        }
       }
   });
   return filtered;

@@ -24,17 +24,23 @@ class PackedNormal {
       y = std::copysign(1 - std::abs(x), y);
       x = folded;
     }
-    bits_ = combined(rounded(x * float{one}), rounded(y * float{one}));
+    *this = at(x * float{one}, y * float{one});
+  }
+  /// From places in the square, from -one to one, or both `none`.
+  static PackedNormal at(float x, float y) {
+    PackedNormal normal;
+    normal.bits_ = combined(rounded(x), rounded(y));
+    return normal;
   }
 
   /// What stands for x and y, from -one to one: y in the high 16 bits. A number that many divide, so that normals along
   /// the axes and half-way between them are exact, and do not lie where rounding goes either way.
   static constexpr int one = 32760;
+  /// What stands for both of zero.
+  static constexpr int none = -one - 1;
   static const std::int32_t* bits(const PackedNormal* normals) { return &normals->bits_; }
 
  private:
-  static constexpr int none = -one - 1;
-
   /// To the nearest number, halves away from zero.
   static int rounded(float x) { return static_cast<int>(x + std::copysign(0.5F, x)); }
   static constexpr std::int32_t combined(int x, int y) {
