@@ -136,7 +136,7 @@ class SameResult(GuidedTiles):
     def test_memory_limit(self):
         self.noisy("torus", "120000")
         self.whole()
-        limit = 190
+        limit = 120
         process = subprocess.Popen([PROGRAM, "smooth", "noisy.ply", "pieces.ply", "--method", "guided", "--memory",
                                     f"{limit}M", "--report", "pieces.json"], cwd=self.folder, text=True,
                                    stderr=subprocess.PIPE)
@@ -149,7 +149,7 @@ class SameResult(GuidedTiles):
         self.assertLessEqual(usage.ru_maxrss, limit * 1024)
         self.expect_nearly_equal("whole.ply", "pieces.ply", 1e-3)
         self.expect_same_report()
-        self.expect_failure("smooth", "noisy.ply", "out.ply", "--method", "guided", "--memory", "120M", "--quiet",
+        self.expect_failure("smooth", "noisy.ply", "out.ply", "--method", "guided", "--memory", "80M", "--quiet",
                             says="needs at least")
 
 

@@ -28,16 +28,18 @@ Array<UnitNormal> fine_normals(const CoarseResult& coarse, Job& job) {
 
 FilterRun run_filter(const PassInput& input, const GuidedSettings& settings, CoarseRounds& coarse) {
   coarse.run();
-  CoarseResult result = coarse.take_result();
   Job& job = input.job;
   FilterRun run;
-  if (!settings.restart) run.position = result.position;  // before the blend frees them
-  run.normal = settings.blend ? blended_normals(result, job) : fine_normals(result, job);
+  {
+    CoarseResult result = coarse.take_result();
+    if (!settings.restart) run.position = result.position;  // before the blend frees them
+    run.normal = settings.blend ? blended_normals(result, job) : fine_normals(result, job);
+  }
   if (settings.restart) run.position = input.position;
   update_positions(input.mesh, run.normal, input.movable, settings.final_updates, settings, run.position, job);
   job.report(0.95);
   if (settings.recover_detail && !settings.blend)
-    recover_detail(input.mesh, input.position, input.movable, settings, result.medians, run.position, job);
+    recover_detail(input.mesh, input.position, input.movable, settings, coarse.medians(), run.position, job);
   return run;
 }
 

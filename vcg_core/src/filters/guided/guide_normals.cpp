@@ -33,7 +33,9 @@ Array<float> find_jumps(const Array<UnitNormal>& normal, const Array<Index>& acr
     while (chunks.next())
       for (std::size_t corner = 3 * chunks.begin(); corner < 3 * chunks.end(); ++corner) {
         const Index g = across[corner];
-        if (g != no_face && g > corner / 3) jump[corner] = (normal[corner / 3] - normal[g]).norm();
+        if (g == no_face || g <= corner / 3) continue;
+        // In double precision: Eigen adds four floats in another order on ARM, which ends in other bits.
+        jump[corner] = static_cast<float>((in_double(normal[corner / 3]) - in_double(normal[g])).norm());
       }
   });
   return jump;
