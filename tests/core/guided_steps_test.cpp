@@ -156,6 +156,20 @@ TEST_F(GuidedSteps, FilteredNormalsAreTheWeightedMean) {
   }
 }
 
+TEST_F(GuidedSteps, FacesTooTinyForWeightsKeepTheirNormals) {
+  for (const double factor : {1e-20, 1e-38, 1e-45, 1e-300}) {
+    Array<double> area = faces.area;
+    for (double& a : area) a *= factor;
+    const ListWeights weight = closeness_weights(within, mesh, mesh.position, area, spacing, 1, job);
+    const bool have_weight = std::any_of(weight.begin(), weight.end(), [](std::uint16_t w) { return w > 0; });
+    EXPECT_EQ(have_weight, factor == 1e-20) << factor;
+    const Array<UnitNormal> mean = mean_of_neighbourhoods(within, weight, faces.normal, job);
+    if (!have_weight) {
+      EXPECT_EQ(mean, faces.normal) << factor;
+    }
+  }
+}
+
 TEST_F(GuidedSteps, GuidesAreMeansOfTheMostConsistentPatch) {
   GuidedSettings settings;
   settings.guard_thin_parts = false;

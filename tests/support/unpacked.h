@@ -5,7 +5,8 @@
 
 namespace test_support {
 
-inline vcg_core::detail::Vec3 unpacked(vcg_core::detail::PackedNormal normal) {
+/// Static, as what it calls is another function in each source.
+static inline vcg_core::detail::Vec3 unpacked(vcg_core::detail::PackedNormal normal) {
   vcg_core::detail::UnitNormal unit;
   vcg_core::detail::unpack(&normal, 1, &unit);
   return vcg_core::detail::in_double(unit);

@@ -28,6 +28,7 @@ namespace vcg_core::detail {
 namespace {
 
 constexpr std::size_t large_page = std::size_t(2) << 20;
+/// Blocks begin where a large page may: one of this size is one.
 constexpr std::size_t large = large_page;
 /// A multiple of every system's page.
 constexpr std::size_t page = std::size_t(64) << 10;

@@ -47,7 +47,7 @@ struct ArrayAllocator {
 template <class T>
 using Array = std::vector<T, ArrayAllocator<T>>;
 
-/// Gives the memory of arrays back before others are made. Assigning an empty one keeps it.
+/// Gives the memory of arrays back before others are made. Assigning {} keeps it.
 template <class... T>
 void release(Array<T>&... arrays) {
   (Array<T>().swap(arrays), ...);

@@ -13,8 +13,8 @@
 namespace vcg_core::detail {
 
 /// A number for each index below a size, `none` for nearly all of them: for what a thread has to remember of the
-/// vertices or faces near by, of which each thread has one. Memory follows the stretches of indices in use, and but for
-/// 1/64 byte an index not the size.
+/// vertices or faces near by, of which each thread has its own. Memory follows the stretches of indices in use, and but
+/// for 1/64 byte an index not the size.
 class SparseIndexMap {
  public:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();

@@ -32,8 +32,8 @@ struct Needs {
 };
 
 Needs needs_of(vcg_core::Method method) {
-  if (method == vcg_core::Method::guided) return {650, 120, 8, 620};  // even meshes take 450
-  return {720, 40, 0, 620};                                             // of the reach about 12, the rest are cells
+  if (method == vcg_core::Method::guided) return {650, 120, 8, 620};  // even meshes take 430
+  return {720, 40, 0, 620};                                           // of the reach about 12, the rest are cells
 }
 
 /// Vertices of a tile's piece, where tiles are not tiny.

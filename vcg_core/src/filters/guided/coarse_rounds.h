@@ -42,7 +42,7 @@ class CoarseRounds {
   const GuidedSettings& settings_;
   Job& job_;
   Array<Vec3> position_;
-  FaceGeometry faces_;  ///< at first the noisy ones
+  FaceGeometry faces_;  ///< from run() on
   NoiseEstimate estimate_;
   WholeMedians medians_;
   Array<Index> across_;

@@ -16,10 +16,10 @@ class FaceLists {
  public:
   /// Faces that follow each other.
   static constexpr std::size_t block_size = 256;
-  /// So that 16 bits number all faces in the lists of a block. On very uneven meshes a ball can hold any number of tiny
-  /// faces.
+  /// So that 16 bits number all faces in the lists of a block, and 8 bits hold a length. On very uneven meshes a ball
+  /// can hold any number of tiny faces.
   static constexpr std::size_t longest = 200;
-  static_assert(block_size * longest <= std::size_t(1) << 16);
+  static_assert(block_size * longest <= std::size_t(1) << 16 && longest < std::size_t(1) << 8);
 
   struct Block {
     Index first = 0;              ///< of its faces

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t grain = 2048;
 
-/// Sum and number of lengths, over the edges at v as its faces see them: inner ones twice.
+/// Mean length of the edges at v as its faces see them: inner ones twice.
 double mean_edge_length(const MeshArrays& mesh, Index v, double otherwise) {
   const MeshTopology& topology = mesh.topology;
   double sum = 0;
@@ -77,7 +77,8 @@ class Ball {
       if (vertices_.add(v)) visit_faces_of(mesh_.topology, v, add);
     };
     add(f);
-    for (std::size_t k = 0; k < list_.size(); ++k) visit_faces_around(mesh_, across_, list_[k], add, add_all);
+    for (std::size_t k = 0; k < list_.size() && list_.size() < FaceLists::longest; ++k)
+      visit_faces_around(mesh_, across_, list_[k], add, add_all);
     if (list_.size() < fewest)
       for (const Index g : around_.find(f))
         if (std::find(list_.begin(), list_.end(), g) == list_.end()) list_.push_back(g);

@@ -82,7 +82,7 @@ class FacesAround {
   const Array<Index>& find(Index f);
   /// Whether the last call found it.
   bool found(Index g) const { return marks_.has(g); }
-  /// To be called now and then, as that of Marks.
+  /// To be called now and then, like Marks::forget_all().
   void forget_all() { marks_.forget_all(); }
 
  private:

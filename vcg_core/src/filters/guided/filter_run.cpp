@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_run.h"
 
+#include <utility>
+
 #include "blend/blend.h"
 #include "detail_recovery.h"
 #include "job.h"
@@ -11,12 +13,13 @@ namespace vcg_core::detail {
 
 namespace {
 
-/// The normals after fine rounds: the filter without its blend.
-Array<UnitNormal> fine_normals(const CoarseResult& coarse, Job& job) {
+/// The normals after fine rounds: the filter without its blend. Frees the coarse faces.
+Array<UnitNormal> fine_normals(CoarseResult& coarse, Job& job) {
   const GuidedSettings& settings = coarse.settings;
   const ListWeights weight = closeness_weights(coarse.within, coarse.mesh, coarse.position, coarse.faces.area,
                                                coarse.spacing, settings.closeness, job);
-  Array<UnitNormal> normal = coarse.faces.normal;
+  release(coarse.faces.area);
+  Array<UnitNormal> normal = std::move(coarse.faces.normal);
   for (int round = 0; settings.fine && round < settings.fine_rounds; ++round) {
     normal = filter_normals(coarse.within, weight, normal, normal, settings.fine_range, job);
     job.report(0.5 + 0.3 * (round + 1) / settings.fine_rounds);

@@ -47,7 +47,7 @@ inline FourNormals unpacked(const PackedNormal* normals) {
   return {x * scale, y * scale, z * scale};
 }
 
-/// The same bits as PackedNormal makes of one.
+/// Unpacked, the same as what PackedNormal makes of each.
 inline void pack(const FourNormals& normal, PackedNormal (&packed)[4]) {
   const FourFloats sum = abs(normal.x) + abs(normal.y) + abs(normal.z);
   FourFloats x = normal.x / sum, y = normal.y / sum;

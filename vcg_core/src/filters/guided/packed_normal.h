@@ -33,10 +33,10 @@ class PackedNormal {
     return normal;
   }
 
-  /// What stands for x and y, from -one to one: y in the high 16 bits. A number that many divide, so that normals along
-  /// the axes and half-way between them are exact, and do not lie where rounding goes either way.
+  /// What stands for x and y, from -one to one: y in the high 16 bits. A number with many divisors, so that normals
+  /// along the axes and half-way between them are exact, and do not lie where rounding goes either way.
   static constexpr int one = 32760;
-  /// What stands for both of zero.
+  /// Both of the zero vector.
   static constexpr int none = -one - 1;
   static const std::int32_t* bits(const PackedNormal* normals) { return &normals->bits_; }
 

@@ -7,8 +7,8 @@
 
 namespace vcg_core::detail {
 
-/// The normals that the learned blend finds, in two stages. Frees the coarse faces. Its weights are
-/// those of blend_weights.cpp, which scripts/train makes.
+/// The normals that the learned blend finds, in two stages. Frees the coarse positions and faces. Its weights are those
+/// of white_noise_weights.cpp and correlated_noise_weights.cpp, which scripts/train makes.
 Array<UnitNormal> blended_normals(CoarseResult& coarse, Job& job);
 
 }  // namespace vcg_core::detail

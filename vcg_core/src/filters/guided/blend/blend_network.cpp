@@ -41,23 +41,23 @@ Layer BlendNetwork::layer(int k) const {
 void NetworkInputs::fill(const Candidates& candidates, std::size_t first, std::size_t count) {
   const std::size_t size = candidates.size();
   row.resize(input_count(size, candidates.scalar.size()));
-  coordinate.resize(3 * size);
+  coordinate_.resize(3 * size);
   for (std::size_t c = 0; c < size; ++c) {
     PackedNormal normal[block];
     for (std::size_t lane = 0; lane < block; ++lane)
       normal[lane] = candidates.normal[c][first + std::min(lane, count - 1)];
     for (std::size_t lane = 0; lane < block; lane += 4) {
       const FourNormals four = unpacked(normal + lane);
-      four.x.store(coordinate[3 * c].lane + lane);
-      four.y.store(coordinate[3 * c + 1].lane + lane);
-      four.z.store(coordinate[3 * c + 2].lane + lane);
+      four.x.store(coordinate_[3 * c].lane + lane);
+      four.y.store(coordinate_[3 * c + 1].lane + lane);
+      four.z.store(coordinate_[3 * c + 2].lane + lane);
     }
   }
   BlockRow* next = row.data();
   for (std::size_t a = 0; a < size; ++a)
     for (std::size_t b = a + 1; b < size; ++b, ++next) {
-      const BlockRow* p = coordinate.data() + 3 * a;
-      const BlockRow* q = coordinate.data() + 3 * b;
+      const BlockRow* p = coordinate_.data() + 3 * a;
+      const BlockRow* q = coordinate_.data() + 3 * b;
       for (std::size_t lane = 0; lane < block; ++lane) {
         const float x = p[0].lane[lane] - q[0].lane[lane];
         const float y = p[1].lane[lane] - q[1].lane[lane];

@@ -82,13 +82,16 @@ struct NetworkInputs {
   /// Those of faces first to first + count - 1, count <= block; the lanes beyond repeat the last one.
   void fill(const Candidates& candidates, std::size_t first, std::size_t count);
 
+  /// A candidate of a face of the block.
   Vec3 normal(std::size_t candidate, std::size_t lane) const {
-    const BlockRow* const of = coordinate.data() + 3 * candidate;
+    const BlockRow* const of = coordinate_.data() + 3 * candidate;
     return {of[0].lane[lane], of[1].lane[lane], of[2].lane[lane]};
   }
 
-  std::vector<BlockRow> row;         ///< one for each input
-  std::vector<BlockRow> coordinate;  ///< one for each coordinate of each candidate
+  std::vector<BlockRow> row;  ///< one for each input
+
+ private:
+  std::vector<BlockRow> coordinate_;  ///< one for each coordinate of each candidate
 };
 
 /// Number of inputs for this many candidates and scalars.

@@ -317,7 +317,6 @@ Candidates first_candidates(CoarseResult& coarse, Job& job) {
   const auto add = [&](Array<PackedNormal> one) { candidates.normal.push_back(std::move(one)); };
   enum : std::size_t { raw, filtered, fine, finer, mean_of_raw, guided = 6 };  // places of some
   const auto& normal = candidates.normal;
-  candidates.normal.reserve(14);  // so that references to them stay
   add(face_normals(coarse.mesh, coarse.noisy, job));
   add(packed(coarse.faces.normal, job));
   // The low-passes take the most memory: without the coarse faces, and before the weights of the neighbourhoods come.
@@ -344,18 +343,17 @@ Candidates first_candidates(CoarseResult& coarse, Job& job) {
   return candidates;
 }
 
-Candidates second_candidates(const CoarseResult& coarse, Array<UnitNormal> blended_normals, Job& job) {
+Candidates second_candidates(const CoarseResult& coarse, Array<UnitNormal> first_blend, Job& job) {
   constexpr int updates = 10;
   Array<Vec3> position = coarse.noisy;
-  update_positions(coarse.mesh, blended_normals, coarse.movable, updates, coarse.settings, position, job);
+  update_positions(coarse.mesh, first_blend, coarse.movable, updates, coarse.settings, position, job);
   Candidates candidates;
   const auto add = [&](Array<PackedNormal> one) { candidates.normal.push_back(std::move(one)); };
   enum : std::size_t { raw, blended, fine, mean_of_blended = 5, guided = 7 };  // places of some
   const auto& normal = candidates.normal;
-  candidates.normal.reserve(12);  // so that references to them stay
   add(face_normals(coarse.mesh, coarse.noisy, job));
-  add(packed(blended_normals, job));
-  release(blended_normals);
+  add(packed(first_blend, job));
+  release(first_blend);
   std::vector<Array<PackedNormal>> low = band_limited_normals(coarse.mesh, position, second_cut_offs, job);
   Array<PackedNormal> moved = face_normals(coarse.mesh, position, job);
   Array<double> area = face_areas(coarse.mesh, position, job);

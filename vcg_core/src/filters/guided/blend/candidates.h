@@ -22,8 +22,8 @@ struct Candidates {
 
 /// The candidates of the first stage: the normals of the noisy faces; those after the coarse rounds; the latter after 4
 /// and after 16 fine rounds; the noisy ones averaged over the neighbourhood once and three times, without and with the
-/// finest ones as guide; and those of band-limited positions. Frees the
-/// coarse positions and faces, which nothing else needs.
+/// finest ones as guide; and those of band-limited positions. Frees the coarse positions and faces, which nothing else
+/// needs.
 Candidates first_candidates(CoarseResult& coarse, Job& job);
 
 /// Median distance of the noisy vertices from the coarse ones along the normal, over the whole mesh: the next one of
@@ -31,8 +31,8 @@ Candidates first_candidates(CoarseResult& coarse, Job& job);
 double median_residual(const CoarseResult& coarse, Job& job);
 
 /// The candidates of the second stage, which refines the blend of the first one.
-/// @param blended  by face
-Candidates second_candidates(const CoarseResult& coarse, Array<UnitNormal> blended, Job& job);
+/// @param first_blend  by face
+Candidates second_candidates(const CoarseResult& coarse, Array<UnitNormal> first_blend, Job& job);
 
 /// Which candidate of a stage stands in where a blend has no direction.
 constexpr std::size_t safe_candidate = 1;
