@@ -10,6 +10,7 @@
 #include "guide_normals.h"
 #include "job.h"
 #include "normal_filter.h"
+#include "polled_copy.h"
 #include "vertex_update.h"
 
 namespace vcg_core::detail {
@@ -24,7 +25,7 @@ CoarseRounds::CoarseRounds(const PassInput& input, const GuidedSettings& setting
     : in_(input), settings_(settings), job_(input.job), estimate_(std::move(noise)), medians_(input.mesh, counts) {}
 
 void CoarseRounds::run() {
-  position_ = in_.position;
+  position_ = polled_copy(in_.position, job_);
   find_neighbourhoods();
   faces_.measure(in_.mesh, position_, job_);
   const int rounds = settings_.coarse_rounds > 0 ? settings_.coarse_rounds : rounds_for_noise();

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "job.h"
+#include "polled_copy.h"
 
 namespace vcg_core::detail {
 
@@ -75,7 +76,7 @@ void limit_displacements(const Array<Vec3>& from, const Array<double>& limit, Ar
 
 void keep_faces_upright(const MeshArrays& mesh, const Array<Vec3>& from, const Array<UnitNormal>& normal,
                         const Array<double>& limit, Array<Vec3>& position, Array<std::uint8_t>& bounded, Job& job) {
-  const Array<Vec3> wanted = position;
+  const Array<Vec3> wanted = polled_copy(position, job);
   Array<std::uint8_t> halvings(mesh.size(), 0);
   Array<std::uint8_t> turned(mesh.face.size());
   Array<Index> to_take_back;

@@ -7,6 +7,7 @@
 #include "detail_recovery.h"
 #include "job.h"
 #include "normal_filter.h"
+#include "polled_copy.h"
 #include "vertex_update.h"
 
 namespace vcg_core::detail {
@@ -35,10 +36,10 @@ FilterRun run_filter(const PassInput& input, const GuidedSettings& settings, Coa
   FilterRun run;
   {
     CoarseResult result = coarse.take_result();
-    if (!settings.restart) run.position = result.position;  // before the blend frees them
+    if (!settings.restart) run.position = polled_copy(result.position, job);  // before the blend frees them
     run.normal = settings.blend ? blended_normals(result, job) : fine_normals(result, job);
   }
-  if (settings.restart) run.position = input.position;
+  if (settings.restart) run.position = polled_copy(input.position, job);
   update_positions(input.mesh, run.normal, input.movable, settings.final_updates, settings, run.position, job);
   job.report(0.95);
   if (settings.recover_detail && !settings.blend)

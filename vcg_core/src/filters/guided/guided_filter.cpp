@@ -13,6 +13,7 @@
 #include "displacement_limit.h"
 #include "filter_run.h"
 #include "job.h"
+#include "polled_copy.h"
 #include "told_whole.h"
 
 namespace vcg_core::detail {
@@ -29,7 +30,7 @@ std::string in_percent(double share) {
 }
 
 PassOutput unchanged(const PassInput& input) {
-  PassOutput output{input.position};
+  PassOutput output{polled_copy(input.position, input.job)};
   output.estimated_noise = 0;
   output.notes.push_back(
       "the mesh shows no noise that can be told from its shape, so nothing was moved; if it is noisy all the same, "

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "job.h"
+#include "polled_copy.h"
 #include "ramp.h"
 #include "ring_heights.h"
 #include "told_whole.h"
@@ -202,7 +203,7 @@ NoiseSeen look_for_noise(const MeshArrays& mesh, const RingMeans& rings, const A
   seen.variance.resize(mesh.size());
   {
     const Array<Evidence> own = find_evidence(mesh, rings, ring_heights(mesh, rings, position, job), job);
-    const Array<Evidence> around = low_pass(rings, own, evidence_rings, job);
+    const Array<Evidence> around = low_pass(rings, polled_copy(own, job), evidence_rings, job);
     testimony = find_testimony(own, around, job);
     job.serial(mesh.size(), [&](std::size_t v) { seen.variance[v] = variance_of(around[v]); });
   }

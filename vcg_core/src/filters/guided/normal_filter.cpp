@@ -20,12 +20,12 @@ constexpr std::size_t grain = 4;
 /// Sums of normals that are shorter, as a share of their weights, have no direction: they cancel each other.
 constexpr float no_direction = 1e-5F;
 
-/// In 65535ths of the largest. Where all faces are so tiny that this has no meaning, 0.
+/// In 65535ths of the largest, rounded down. Where all faces are so tiny that this has no meaning, 0.
 void write_shares(const std::vector<float>& weight, std::uint16_t* share) {
   constexpr float least = 1e-30F;
   const float largest = *std::max_element(weight.begin(), weight.end());
   const float scale = largest > least ? 65535 / largest : 0;
-  for (std::size_t k = 0; k < weight.size(); ++k) share[k] = static_cast<std::uint16_t>(weight[k] * scale + 0.5F);
+  for (std::size_t k = 0; k < weight.size(); ++k) share[k] = static_cast<std::uint16_t>(weight[k] * scale);
 }
 
 }  // namespace

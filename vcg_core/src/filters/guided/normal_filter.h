@@ -9,7 +9,7 @@
 namespace vcg_core::detail {
 
 /// Weights within a list, in 65535ths of the list's largest: only their ratios have a meaning, and those of less than
-/// half of this, a sliver's own among them, are 0.
+/// this, a sliver's own among them, are 0.
 using ListWeights = Array<std::uint16_t>;
 
 /// The filter's weights that depend on places only: for each entry of `within` area times closeness,

@@ -5,6 +5,7 @@
 
 #include "face_geometry.h"
 #include "job.h"
+#include "polled_copy.h"
 
 namespace vcg_core::detail {
 
@@ -85,7 +86,7 @@ Vec3 step_within_surface(const MeshArrays& mesh, const Array<UnitNormal>& normal
 void update_positions(const MeshArrays& mesh, const Array<UnitNormal>& normal, const Array<std::uint8_t>& movable,
                       int updates, const GuidedSettings& settings, Array<Vec3>& position, Job& job) {
   Array<std::uint8_t> folded(mesh.size(), 0);
-  Array<Vec3> moved(position);
+  Array<Vec3> moved = polled_copy(position, job);
   Array<Plane> plane(mesh.face.size());
   job.serial(plane.size(), [&](std::size_t f) { plane[f].normal = normal[f].head<3>(); });
   for (int update = 0; update < updates; ++update) {

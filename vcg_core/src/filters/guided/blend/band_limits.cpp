@@ -6,6 +6,7 @@
 
 #include "../ring_means.h"
 #include "job.h"
+#include "polled_copy.h"
 
 namespace vcg_core::detail {
 
@@ -42,8 +43,8 @@ std::vector<Array<Eigen::Vector3f>> band_limit_displacements(const MeshArrays& m
   // The coefficients add up to 1, so the displacement is the sum of those of the terms.
   std::vector<Array<Eigen::Vector3f>> sum(cut_offs.size(),
                                           Array<Eigen::Vector3f>(position.size(), Eigen::Vector3f::Zero()));
-  Array<Vec3> last(position.size());  // T_{n-1}
-  Array<Vec3> current = position;     // T_n
+  Array<Vec3> last(position.size());                 // T_{n-1}
+  Array<Vec3> current = polled_copy(position, job);  // T_n
   // T_1 = W T_0, T_{n+1} = 2 W T_n - T_{n-1}, written over T_{n-1}.
   const auto advance = [&](std::size_t n, const auto& use) {
     job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {

@@ -15,6 +15,7 @@
 #include "../vertex_update.h"
 #include "band_limits.h"
 #include "job.h"
+#include "polled_copy.h"
 
 namespace vcg_core::detail {
 
@@ -345,7 +346,7 @@ Candidates first_candidates(CoarseResult& coarse, Job& job) {
 
 Candidates second_candidates(const CoarseResult& coarse, Array<UnitNormal> first_blend, Job& job) {
   constexpr int updates = 10;
-  Array<Vec3> position = coarse.noisy;
+  Array<Vec3> position = polled_copy(coarse.noisy, job);
   update_positions(coarse.mesh, first_blend, coarse.movable, updates, coarse.settings, position, job);
   Candidates candidates;
   const auto add = [&](Array<PackedNormal> one) { candidates.normal.push_back(std::move(one)); };

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <atomic>
 
-#include "copy_positions.h"
 #include "filters/paper/paper_filter.h"
 #include "job.h"
 #include "lane_kernels.h"
 #include "lane_parameters.h"
 #include "patch_builder.h"
+#include "polled_copy.h"
 
 namespace vcg_core::detail {
 
@@ -36,7 +36,7 @@ PassOutput LanePass::run(const PassInput& in) {
     return std::any_of(groups.member.begin() + groups.begin[g], groups.member.begin() + groups.begin[g + 1],
                        [&](Index v) { return in.movable[v] != 0; });
   };
-  PassOutput out{copy_positions(in.position, in.job)};
+  PassOutput out{polled_copy(in.position, in.job)};
   std::atomic<std::size_t> approximate{0};
   const auto smooth_group = [&](const Patch& patch, const PatchGroup& group, Index g, Chunks& chunks) {
     float offset[most_lanes];
