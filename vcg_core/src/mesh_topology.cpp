@@ -79,7 +79,7 @@ class EdgeVisitor {
     for (std::size_t k = 0; k < n; ++k) {
       const Index end = ends_[k];
       higher[count] = end;
-      count += (faces[k] == 0) & (end > v) ? 1 : 0;
+      count += ((faces[k] == 0) & (end > v)) ? 1 : 0;
       for (std::size_t i = 0; i < few; ++i) faces[i] += ends_[i] == end ? 1 : 0;
     }
     higher_.assign(higher, higher + count);

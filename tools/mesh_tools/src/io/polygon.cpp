@@ -45,7 +45,7 @@ double area(const Point2d& a, const Point2d& b, const Point2d& c) { return (b - 
 /// Finds points in boxes.
 class Grid {
  public:
-  Grid(const std::vector<Point2d>& points, const std::vector<std::uint32_t>& which) : points_(points) {
+  Grid(const std::vector<Point2d>& points, const std::vector<std::uint32_t>& which) {
     for (const Point2d& point : points) box_.Add(point);
     cells_ = std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(static_cast<double>(which.size()))));
     content_.resize(cells_ * cells_);
@@ -70,7 +70,6 @@ class Grid {
     return std::min(cells_ - 1, static_cast<std::size_t>(std::max(0.0, at)));
   }
 
-  const std::vector<Point2d>& points_;
   vcg::Box2d box_;
   std::size_t cells_;
   std::vector<std::vector<std::uint32_t>> content_;
