@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "polled_copy.h"
+
 namespace vcg_core::detail {
 
 namespace {
@@ -78,7 +80,7 @@ void VcglibMesh::load(const PassInput& in) {
 }
 
 Array<Vec3> VcglibMesh::positions(const PassInput& in) const {
-  Array<Vec3> position = in.position;
+  Array<Vec3> position = polled_copy(in.position, in.job);
   in.job.serial(vertex_.size(), [&](std::size_t v) {
     if (!mesh_.vert[v].IsS()) return;
     const vcg::Point3d& p = mesh_.vert[v].cP();

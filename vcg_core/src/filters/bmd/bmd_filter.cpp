@@ -4,6 +4,7 @@
 #include "filters/weights.h"
 #include "job.h"
 #include "point_grid.h"
+#include "polled_copy.h"
 
 namespace vcg_core::detail {
 
@@ -41,7 +42,7 @@ PassOutput bmd_pass(const PassInput& in, const BilateralParameters& p) {
   const GaussianWeights weights(p.sigma_c, p.sigma_s, any_sigma_n, p.gaussian);
   const PointGrid grid(in.position, vertices_with_faces(in.mesh, in.job), p.rho * p.sigma_c * unit, &in.job);
   in.job.report(0.0);
-  PassOutput out{in.position};
+  PassOutput out{polled_copy(in.position, in.job)};
   in.job.parallel(in.mesh.size(), 256, [&](Chunks& chunks) {
     PointGrid::Search ball(grid);
     while (chunks.next())

@@ -5,6 +5,7 @@
 
 #include "filters/step_filter.h"
 #include "job.h"
+#include "polled_copy.h"
 #include "vertex_neighbors.h"
 
 namespace vcg_core::detail {
@@ -32,7 +33,7 @@ void for_each_movable(const PassInput& in, Loop loop, const Step& step) {
 PassOutput hc_pass(const PassInput& in, const VertexNeighbors& neighbors) {
   const Array<Vec3>& original = in.mesh.position;
   const Array<Vec3>& before = in.position;
-  PassOutput out{before};
+  PassOutput out{polled_copy(before, in.job)};
   Array<Vec3> went(in.mesh.size(), Vec3::Zero());
   for_each_movable(in, Loop::minor, [&](Index v) {
     out.position[v] = mean_over(neighbors, v, before);

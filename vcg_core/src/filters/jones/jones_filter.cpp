@@ -8,6 +8,7 @@
 
 #include "job.h"
 #include "point_grid.h"
+#include "polled_copy.h"
 
 namespace vcg_core::detail {
 
@@ -58,7 +59,7 @@ Array<Vec3> mollified_positions(const PassInput& in, const BilateralParameters& 
   const double sigma = parameters.sigma_c / 2;
   const PointGrid grid(means.centroid, faces, parameters.rho * sigma * unit, &in.job);
   in.job.poll();
-  Array<Vec3> mollified = in.position;
+  Array<Vec3> mollified = polled_copy(in.position, in.job);
   in.job.parallel(in.mesh.size(), 256, Loop::minor, [&](Chunks& chunks) {
     PointGrid::Search ball(grid);
     while (chunks.next())
@@ -102,7 +103,7 @@ PassOutput jones_pass(const PassInput& in, const BilateralParameters& parameters
   in.job.poll();
   const PointGrid grid(means.centroid, faces, parameters.rho * sigma_c * unit, &in.job);
   in.job.poll();
-  PassOutput out{in.position};
+  PassOutput out{polled_copy(in.position, in.job)};
   std::atomic<std::size_t> empty{0};
   in.job.parallel(in.mesh.size(), 256, [&](Chunks& chunks) {
     PointGrid::Search ball(grid);
