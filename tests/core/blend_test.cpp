@@ -171,7 +171,7 @@ struct RandomCase {
     mesh_tools::Random random(5);
     const auto unit = [&] {
       const vcg::Point3d d = random.direction();
-      return PackedNormal(in_single(Vec3(d[0], d[1], d[2])));
+      return packed(in_single(Vec3(d[0], d[1], d[2])));
     };
     for (int c = 0; c < 4; ++c) {
       candidates.normal.emplace_back();
@@ -200,22 +200,22 @@ TEST(PackedNormal, IsTheNormalAsFarAsItsBitsReach) {
   for (int i = 0; i < 10000; ++i) {
     const vcg::Point3d d = random.direction();
     const Vec3 n(d[0], d[1], d[2]);
-    const Vec3 packed = test_support::unpacked(PackedNormal(in_single(n)));
-    EXPECT_LT((packed - n).norm(), 7e-5) << n.transpose();
-    EXPECT_NEAR(packed.norm(), 1, 2e-7);
-    EXPECT_EQ(test_support::unpacked(PackedNormal(in_single(packed))), packed);  // packing again changes nothing
+    const Vec3 result = test_support::unpacked(packed(in_single(n)));
+    EXPECT_LT((result - n).norm(), 7e-5) << n.transpose();
+    EXPECT_NEAR(result.norm(), 1, 2e-7);
+    EXPECT_EQ(test_support::unpacked(packed(in_single(result))), result);  // packing again changes nothing
   }
   for (int axis = 0; axis < 3; ++axis)
     for (const double sign : {-1.0, 1.0}) {
       const Vec3 unit = sign * Vec3::Unit(axis);
       for (const double length : {1.0, 1.0000002}) {
-        const Vec3 packed = test_support::unpacked(PackedNormal(in_single(Vec3(length * unit))));
-        EXPECT_EQ(Vec3(packed / packed.norm()), unit);
-        EXPECT_NEAR(packed.norm(), 1, 2e-7);
+        const Vec3 result = test_support::unpacked(packed(in_single(Vec3(length * unit))));
+        EXPECT_EQ(Vec3(result / result.norm()), unit);
+        EXPECT_NEAR(result.norm(), 1, 2e-7);
       }
     }
   EXPECT_EQ(test_support::unpacked(PackedNormal()), Vec3(Vec3::Zero()));
-  EXPECT_EQ(test_support::unpacked(PackedNormal(UnitNormal::Zero())), Vec3(Vec3::Zero()));
+  EXPECT_EQ(test_support::unpacked(packed(UnitNormal::Zero())), Vec3(Vec3::Zero()));
 }
 
 TEST(PackedNormal, UnpacksAnyNumberAtOnce) {
@@ -223,7 +223,7 @@ TEST(PackedNormal, UnpacksAnyNumberAtOnce) {
   Array<PackedNormal> packed(11);
   for (std::size_t i = 1; i < packed.size(); ++i) {
     const vcg::Point3d d = random.direction();
-    packed[i] = PackedNormal(in_single(Vec3(d[0], d[1], d[2])));
+    packed[i] = vcg_core::detail::packed(in_single(Vec3(d[0], d[1], d[2])));
   }
   for (std::size_t count = 0; count <= packed.size(); ++count) {
     Array<UnitNormal> unit(count + 1, UnitNormal::Constant(7));
@@ -251,7 +251,7 @@ TEST(PackedNormal, IsPackedFourAtATimeAlike) {
     };
     pack({coordinate(0), coordinate(1), coordinate(2)}, packed);
     for (int k = 0; k < 4; ++k)
-      EXPECT_EQ(test_support::unpacked(packed[k]), test_support::unpacked(PackedNormal(normal[k])))
+      EXPECT_EQ(test_support::unpacked(packed[k]), test_support::unpacked(vcg_core::detail::packed(normal[k])))
           << normal[k].transpose();
   }
 }
@@ -406,7 +406,7 @@ TEST(Blend, LeavesAPlaneAsItIs) {
   Job job(no_progress, 1);
   Candidates candidates;
   for (const NetworkTable& table : all_tables()) {
-    const PackedNormal packed(in_single(Vec3(0.6, 0, 0.8)));
+    const PackedNormal packed = vcg_core::detail::packed(in_single(Vec3(0.6, 0, 0.8)));
     const Vec3 n = test_support::unpacked(packed);
     candidates.normal.assign(table.sizes[3], Array<PackedNormal>(20, packed));
     const std::size_t pairs = table.sizes[3] * (table.sizes[3] - 1) / 2;

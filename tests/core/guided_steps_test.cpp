@@ -134,7 +134,7 @@ TEST_F(GuidedSteps, FilteredNormalsAreTheWeightedMean) {
   const Array<UnitNormal> by_itself = filter_normals(within, weight, faces.normal, faces.normal, 0.4, job);
   const Array<UnitNormal> mean = mean_of_neighbourhoods(within, weight, faces.normal, job);
   Array<PackedNormal> packed;
-  for (const UnitNormal& n : faces.normal) packed.emplace_back(n);
+  for (const UnitNormal& n : faces.normal) packed.push_back(vcg_core::detail::packed(n));
   const Array<PackedNormal> packed_by_itself = filter_normals(within, weight, packed, packed, 0.4, job);
   const Array<PackedNormal> packed_mean = mean_of_neighbourhoods(within, weight, packed, job);
   for (Index f = 0; f < mesh.face.size(); ++f) {

@@ -8,8 +8,10 @@
 
 namespace vcg_core::detail {
 
-/// Twice the area of a face along its normal, for vertices at `position`.
-inline Vec3 area_vector(const MeshArrays& mesh, const Array<Vec3>& position, std::size_t f) {
+/// Twice the area of a face along its normal.
+/// @param position  gives the place of a vertex by []
+template <class Positions>
+Vec3 area_vector(const MeshArrays& mesh, const Positions& position, std::size_t f) {
   const auto& v = mesh.face[f];
   return (position[v[1]] - position[v[0]]).cross(position[v[2]] - position[v[0]]);
 }

@@ -47,7 +47,7 @@ inline FourNormals unpacked(const PackedNormal* normals) {
   return {x * scale, y * scale, z * scale};
 }
 
-/// Unpacked, the same as what PackedNormal makes of each.
+/// Any of them may be zero.
 inline void pack(const FourNormals& normal, PackedNormal (&packed)[4]) {
   const FourFloats sum = abs(normal.x) + abs(normal.y) + abs(normal.z);
   FourFloats x = normal.x / sum, y = normal.y / sum;
@@ -62,6 +62,12 @@ inline void pack(const FourNormals& normal, PackedNormal (&packed)[4]) {
   for (int k = 0; k < 4; ++k) packed[k] = PackedNormal::at(places[0][k], places[1][k]);
 }
 
+inline PackedNormal packed(const UnitNormal& n) {
+  PackedNormal four[4];
+  pack({n[0], n[1], n[2]}, four);
+  return four[0];
+}
+
 /// Up to four; the last one stands for those that are missing.
 /// @param count  above 0
 inline FourNormals unpacked(const PackedNormal* normals, std::size_t count) {
@@ -71,12 +77,17 @@ inline FourNormals unpacked(const PackedNormal* normals, std::size_t count) {
   return unpacked(four);
 }
 
+inline void store(const FourNormals& normals, UnitNormal (&unit)[4]) {
+  FourFloats rows[] = {normals.x, normals.y, normals.z, 0.0F};
+  transpose(rows[0], rows[1], rows[2], rows[3]);
+  for (int k = 0; k < 4; ++k) rows[k].store(unit[k].data());
+}
+
 inline void unpack(const PackedNormal* normals, std::size_t count, UnitNormal* unit) {
   for (std::size_t i = 0; i < count; i += 4) {
-    const FourNormals four = unpacked(normals + i, count - i);
-    FourFloats rows[] = {four.x, four.y, four.z, 0.0F};
-    transpose(rows[0], rows[1], rows[2], rows[3]);
-    for (std::size_t k = 0; k < std::min<std::size_t>(4, count - i); ++k) rows[k].store(unit[i + k].data());
+    UnitNormal four[4];
+    store(unpacked(normals + i, count - i), four);
+    std::copy_n(four, std::min<std::size_t>(4, count - i), unit + i);
   }
 }
 

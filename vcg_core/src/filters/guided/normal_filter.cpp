@@ -145,12 +145,6 @@ FourNormals directions(const UnitNormal* sums, const UnitNormal* normals) {
           where(has_direction, sum[2] / length, normal[2])};
 }
 
-void store(const FourNormals& normals, UnitNormal (&unit)[4]) {
-  FourFloats rows[] = {normals.x, normals.y, normals.z, 0.0F};
-  transpose(rows[0], rows[1], rows[2], rows[3]);
-  for (int k = 0; k < 4; ++k) rows[k].store(unit[k].data());
-}
-
 void store(const FourNormals& normals, PackedNormal (&packed)[4]) { pack(normals, packed); }
 
 /// Gives each normal the direction of a sum over its list.

@@ -4,28 +4,15 @@
 #include <cmath>
 #include <cstdint>
 
-#include "unit_normals.h"
-
 namespace vcg_core::detail {
 
 /// A unit normal, or zero, in 4 bytes: its place on an octahedron that is unfolded into a square, to within 7e-5. A
-/// dozen candidates a face are most of what the guided filter holds. four_normals.h unpacks them.
+/// dozen candidates a face are most of what the guided filter holds. four_normals.h packs and unpacks them.
 ///
 /// Source: Meyer, Süßmuth, Sußner, Stamminger, Greiner: On floating-point normal vectors, 2010.
 class PackedNormal {
  public:
   PackedNormal() = default;
-  explicit PackedNormal(const UnitNormal& n) {
-    const float sum = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);
-    if (!(sum > 0)) return;
-    float x = n[0] / sum, y = n[1] / sum;
-    if (n[2] < 0) {
-      const float folded = std::copysign(1 - std::abs(y), x);
-      y = std::copysign(1 - std::abs(x), y);
-      x = folded;
-    }
-    *this = at(x * float{one}, y * float{one});
-  }
   /// From places in the square, from -one to one, or both `none`.
   static PackedNormal at(float x, float y) {
     PackedNormal normal;

@@ -41,10 +41,10 @@ std::vector<Array<Eigen::Vector3f>> band_limit_displacements(const MeshArrays& m
     terms = std::max(terms, coefficients.back().size());
   }
   // The coefficients add up to 1, so the displacement is the sum of those of the terms.
-  std::vector<Array<Eigen::Vector3f>> sum(cut_offs.size(),
-                                          Array<Eigen::Vector3f>(position.size(), Eigen::Vector3f::Zero()));
-  Array<Vec3> last(position.size());                 // T_{n-1}
-  Array<Vec3> current = polled_copy(position, job);  // T_n
+  std::vector<Array<Eigen::Vector3f>> sum(cut_offs.size());
+  for (Array<Eigen::Vector3f>& one : sum) one.resize(position.size());  // the first terms set them
+  Array<Vec3> last(position.size());                                    // T_{n-1}
+  Array<Vec3> current = polled_copy(position, job);                     // T_n
   // T_1 = W T_0, T_{n+1} = 2 W T_n - T_{n-1}, written over T_{n-1}.
   const auto advance = [&](std::size_t n, const auto& use) {
     job.parallel(mesh.size(), grain, Loop::minor, [&](Chunks& chunks) {
@@ -66,6 +66,7 @@ std::vector<Array<Eigen::Vector3f>> band_limit_displacements(const MeshArrays& m
         if (n >= c.size()) continue;
         Vec3 step = c[n] * of_term;
         if (n + 1 < c.size()) step += c[n + 1] * of_next;
+        if (n == 0) sum[k][v].setZero();
         sum[k][v] += step.cast<float>();
       }
     });

@@ -43,26 +43,26 @@ void for_each(std::size_t count, Job& job, const Body& body) {
 
 Array<PackedNormal> packed(const Array<UnitNormal>& normal, Job& job) {
   Array<PackedNormal> small(normal.size());
-  for_each(normal.size(), job, [&](std::size_t f) { small[f] = PackedNormal(normal[f]); });
+  for_each(normal.size(), job, [&](std::size_t f) { small[f] = packed(normal[f]); });
   return small;
 }
 
-/// @param position_of  gives that of a vertex
-template <class PositionOf>
-Array<PackedNormal> face_normals(const MeshArrays& mesh, const PositionOf& position_of, Job& job) {
+/// @param position  as area_vector() has it
+template <class Positions>
+Array<PackedNormal> face_normals(const MeshArrays& mesh, const Positions& position, Job& job) {
   Array<PackedNormal> normal(mesh.face.size());
-  for_each(normal.size(), job, [&](std::size_t f) {
-    const auto& v = mesh.face[f];
-    const Vec3 a = position_of(v[0]);
-    normal[f] = PackedNormal(in_single(direction_of_face((position_of(v[1]) - a).cross(position_of(v[2]) - a))));
-  });
+  for_each(normal.size(), job,
+           [&](std::size_t f) { normal[f] = packed(in_single(direction_of_face(area_vector(mesh, position, f)))); });
   return normal;
 }
 
-Array<PackedNormal> face_normals(const MeshArrays& mesh, const Array<Vec3>& position, Job& job) {
-  return face_normals(
-      mesh, [&](Index v) { return position[v]; }, job);
-}
+/// The places of vertices that are displaced.
+struct Displaced {
+  const Array<Vec3>& position;
+  const Array<Eigen::Vector3f>& displacement;
+
+  Vec3 operator[](Index v) const { return position[v] + displacement[v].cast<double>(); }
+};
 
 /// Means over the neighbourhood by closeness and area.
 class NeighbourhoodMean {
@@ -290,8 +290,7 @@ std::vector<Array<PackedNormal>> band_limited_normals(const MeshArrays& mesh, co
                                                       const std::vector<double>& cut_offs, Job& job) {
   std::vector<Array<PackedNormal>> normals;
   for (Array<Eigen::Vector3f>& displacement : band_limit_displacements(mesh, position, cut_offs, job)) {
-    normals.push_back(face_normals(
-        mesh, [&](Index v) { return Vec3(position[v] + displacement[v].cast<double>()); }, job));
+    normals.push_back(face_normals(mesh, Displaced{position, displacement}, job));
     release(displacement);
   }
   return normals;
